@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "solver/scene/scene.h"
+
+namespace trajan {
+
+/// One row of a law's own parameter table. Validation, error messages and documentation read it.
+struct Parameter {
+  std::string_view name;  ///< as in scene.proto
+  std::string_view unit;  ///< "stress", "1", …
+  std::string_view meaning;
+  double lowest;   ///< open bound: the value must be greater
+  double highest;  ///< open bound: the value must be less
+};
+
+/// What the rest of the solver knows of a constitutive law without knowing its formulas.
+/// Values of parameters are always passed in the order of `parameters`.
+struct MaterialKind {
+  std::string_view name;  ///< as in scene.proto, for example "linear_elastic"
+  std::string_view source;
+  std::span<const Parameter> parameters;
+  /// Speed of the fastest wave at rest (consistent units) for a mass density at rest.
+  double (*wave_speed)(std::span<const double> values, double density, Dimension dimension);
+};
+
+/// All laws, generated from the list in materials/CMakeLists.txt.
+std::span<const MaterialKind> material_kinds();
+
+/// nullptr: there is no law of that name.
+const MaterialKind* find_material_kind(std::string_view name);
+
+}  // namespace trajan

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace trajan {
+
+/// Values that expressions may use by name.
+using Constants = std::map<std::string, double>;
+
+/// A formula of x, y and t in muParser syntax, `pi` and the scene's constants included. Copies share
+/// nothing that changes; one object must not be evaluated by two threads at once.
+class Expression {
+ public:
+  /// `variables`: the letters of "xyt" that the formula may use.
+  /// Throws std::invalid_argument whose text says what is wrong and where in the formula.
+  Expression(const std::string& text, const std::string& variables, const Constants& constants);
+  Expression(const Expression& other);
+  Expression(Expression&& other) noexcept;
+  Expression& operator=(Expression other) noexcept;
+  ~Expression();
+
+  /// Not finite where the formula is not defined; never throws.
+  double operator()(double x, double y, double t) const;
+  const std::string& text() const;
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace trajan

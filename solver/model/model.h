@@ -1,0 +1,161 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/materials/material.h"
+#include "solver/model/expression.h"
+#include "solver/model/lattice.h"
+#include "solver/model/time_function.h"
+#include "solver/scene/scene.h"
+
+/// A validated scene. Only `validate` makes a Model, everything in it is consistent, and nothing that
+/// reads it checks again. It is never changed, and holds nothing that grows with the number of
+/// particles: bodies are lattices that the Simulation fills. Units are the scene's own.
+namespace trajan {
+
+/// The background grid: nodes at origin + cell * (i, j), 0 <= i <= cells_x, 0 <= j <= cells_y.
+struct Grid {
+  Vector origin;
+  double cell = 0;
+  std::int64_t cells_x = 0;
+  std::int64_t cells_y = 0;
+};
+
+struct Material {
+  std::string name;
+  const MaterialKind* kind = nullptr;
+  std::vector<double> parameters;  ///< in the order of kind->parameters
+  double density = 0;              ///< at rest
+};
+
+/// Particles are numbered over all bodies in the order of bodies and, within one, of its lattice
+/// (x fastest). These numbers are the particles' identities in every output.
+struct Body {
+  std::string name;
+  std::size_t material = 0;
+  Lattice lattice;
+  std::int64_t first_particle = 0;
+  std::int64_t particles = 0;
+  double particle_volume = 0;            ///< reference volume of each particle, thickness included
+  std::optional<Expression> velocity_x;  ///< of x, y; empty: 0
+  std::optional<Expression> velocity_y;
+};
+
+/// Nodes i0 <= i <= i1, j0 <= j <= j1, and within the disc if there is one.
+struct NodeRegion {
+  std::int64_t i0 = 0, i1 = -1, j0 = 0, j1 = -1;
+  std::optional<Disc> disc;
+};
+
+/// Prescribes velocity components on nodes; an empty component is free. Later conditions win.
+struct NodeCondition {
+  std::string name;
+  NodeRegion nodes;
+  std::optional<Expression> velocity_x;  ///< of t
+  std::optional<Expression> velocity_y;
+};
+
+/// A force on a material point that rides on a particle: the particle's own stencil cell is used, its
+/// bilinear polynomials evaluated at the point (also slightly outside of the cell), so that the force's
+/// resultant and moment are exact and no node without mass is loaded.
+struct LoadPoint {
+  std::int64_t carrier = 0;  ///< the particle's number
+  Vector position;           ///< at time 0
+  Vector force;              ///< times the time function of its group
+};
+
+/// Point forces and edge tractions that share a time function.
+struct SurfaceLoad {
+  std::string name;
+  std::vector<LoadPoint> points;
+  TimeFunction time;
+};
+
+/// An acceleration of whole bodies.
+struct BodyLoad {
+  std::string name;
+  Vector acceleration;
+  std::vector<std::size_t> bodies;  ///< indices; all of them: every body
+  TimeFunction time;
+};
+
+/// Follows one particle, or the volume-weighted mean of several.
+struct Probe {
+  std::string name;
+  std::vector<std::int64_t> particles;  ///< numbers, ascending; one for a nearest-particle probe
+  bool mean = false;
+  std::vector<Field> fields;
+};
+
+struct Numeric {
+  std::string scheme;           ///< a name of scheme_names()
+  std::string shape_functions;  ///< a name of shape_names()
+  double flip_fraction = 1;
+  double time_step_fraction = 0.5;
+  std::optional<double> time_step;
+  std::optional<int> threads;
+};
+
+/// The histories' clock: sample i is at i * end_time / samples; a snapshot at every
+/// `samples_per_snapshot`-th sample (0: none).
+struct OutputPlan {
+  std::int64_t samples = 0;
+  std::int64_t samples_per_snapshot = 0;
+  std::vector<Field> snapshot_fields;
+  std::vector<Probe> probes;
+};
+
+/// A measure that is known to name an existing column of histories.
+struct Measure {
+  std::string name;
+  std::string quantity;
+  std::size_t column = 0;  ///< index into history_columns(model)
+  std::variant<FinalValue, ExtremeValue, MeanValue, DominantFrequency, Deviation> kind;
+  std::optional<Expression> exact_history;  ///< of t, for Deviation
+  double from = 0;
+  double until = 0;
+  std::optional<double> exact;
+  std::optional<double> tolerance;
+  std::string source;
+};
+
+class Model {
+ public:
+  std::string name, description, units;
+  Dimension dimension = Dimension::unspecified;
+  double thickness = 1;
+  Grid grid;
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<NodeCondition> conditions;
+  std::vector<SurfaceLoad> surface_loads;
+  std::vector<BodyLoad> body_loads;
+  double end_time = 0;
+  double damping = 0;
+  Numeric numerics;
+  OutputPlan outputs;
+  std::vector<Measure> measures;
+
+  std::int64_t particle_count() const {
+    return bodies.empty() ? 0 : bodies.back().first_particle + bodies.back().particles;
+  }
+
+ private:
+  friend class Validator;
+  Model() = default;
+};
+
+/// Names of the histories' columns, in the order in which they are sampled: probes in the order of the
+/// scene ("tip.displacement.x", …), then "energies.kinetic", "energies.strain", "energies.work",
+/// "energies.dissipated", "energies.total", "energies.balance_error", "momentum.x", "momentum.y".
+std::vector<std::string> history_columns(const Model& model);
+
+/// "displacement" → {"x", "y"}, "stress" → {"xx", "yy", "xy", "zz"}.
+std::vector<std::string_view> field_components(Field field);
+std::string_view field_name(Field field);
+
+}  // namespace trajan

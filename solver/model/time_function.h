@@ -1,0 +1,22 @@
+#pragma once
+
+#include <variant>
+
+#include "solver/model/expression.h"
+#include "solver/scene/scene.h"
+
+namespace trajan {
+
+/// A dimensionless factor that depends on time (scene.proto, TimeFunction).
+class TimeFunction {
+ public:
+  using Kind = std::variant<double, Ramp, Sine, Table, Expression>;
+  TimeFunction() : kind_(1.0) {}
+  explicit TimeFunction(Kind kind) : kind_(std::move(kind)) {}
+  double operator()(double t) const;
+
+ private:
+  Kind kind_;
+};
+
+}  // namespace trajan

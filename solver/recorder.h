@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/model/model.h"
+
+namespace trajan {
+
+/// All particles at one time, in the order of their numbers.
+struct Snapshot {
+  double time = 0;
+  std::vector<double> position;  ///< (n, 2) row-major
+  std::vector<double> velocity;  ///< (n, 2)
+  /// The scene's snapshot_fields except position and velocity, each (n, components) row-major.
+  std::vector<std::pair<Field, std::vector<double>>> fields;
+};
+
+/// The whole state of a simulation at a sample, enough to go on with the same bits.
+struct Checkpoint {
+  std::int64_t sample = 0;  ///< the last sample that was recorded before it
+  std::int64_t step = 0;
+  double time = 0;
+  struct Array {
+    std::string name;
+    std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::int32_t>> values;
+  };
+  std::vector<Array> arrays;
+};
+
+struct MeasureValue {
+  std::string name;
+  std::string quantity;
+  double value = 0;
+  std::optional<double> exact;
+  std::optional<double> error;  ///< (value - exact) / |exact|, or value where exact is 0
+  std::optional<double> tolerance;
+  std::string source;
+};
+
+/// Why a run went bad. What was recorded before stays valid.
+struct Divergence {
+  std::int64_t step = 0;
+  double time = 0;
+  std::int64_t particle = -1;  ///< -1: not about one
+  std::string cause;
+  std::string remedy;
+};
+
+/// Where a run's results go. Calls come from one thread, samples in order, a snapshot after the sample
+/// of the same time. Implementations throw std::runtime_error when they cannot store.
+class Recorder {
+ public:
+  virtual ~Recorder() = default;
+  /// Row `row` of the histories (columns as history_columns(model)).
+  virtual void sample(std::int64_t row, double time, std::span<const double> columns) = 0;
+  virtual void snapshot(std::int64_t row, const Snapshot& snapshot) = 0;
+  /// Everything before it must be durable when this returns.
+  virtual void checkpoint(const Checkpoint& checkpoint) = 0;
+  /// Rows that are durable.
+  virtual std::int64_t durable_rows() const = 0;
+};
+
+}  // namespace trajan

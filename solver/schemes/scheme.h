@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace trajan {
+
+/// The registered names, generated from the lists in schemes/CMakeLists.txt and shapes/CMakeLists.txt.
+std::span<const std::string_view> scheme_names();
+std::span<const std::string_view> shape_names();
+
+}  // namespace trajan
