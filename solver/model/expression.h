@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace trajan {
 
@@ -13,6 +14,9 @@ using Constants = std::map<std::string, double>;
 /// nothing that changes; one object must not be evaluated by two threads at once.
 class Expression {
  public:
+  static constexpr std::size_t longest = 4096;  ///< characters
+  static constexpr int deepest = 64;            ///< nested parentheses and conditions
+
   /// `variables`: the letters of "xyt" that the formula may use.
   /// Throws std::invalid_argument whose text says what is wrong and where in the formula.
   Expression(const std::string& text, const std::string& variables, const Constants& constants);
@@ -29,5 +33,8 @@ class Expression {
   struct Parser;
   std::unique_ptr<Parser> parser_;
 };
+
+/// Whether formulas give this name a meaning of their own: x, y, z, t, pi and the functions.
+bool is_reserved_in_expressions(std::string_view name);
 
 }  // namespace trajan

@@ -1,0 +1,88 @@
+#include "solver/model/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace trajan {
+
+namespace {
+
+/// Points this close to a rim, in spacings, belong to the disc: more than rounding moves them.
+constexpr double rim = 1e-9;
+
+double points_along(double length, double spacing) { return std::max(1.0, std::round(length / spacing)); }
+
+Lattice fill(const Box& box, Vector, double spacing) {
+  const double width = box.upper.x - box.lower.x;
+  const double height = box.upper.y - box.lower.y;
+  Lattice lattice;
+  lattice.columns = static_cast<std::int64_t>(points_along(width, spacing));
+  lattice.rows = static_cast<std::int64_t>(points_along(height, spacing));
+  lattice.spacing = {width / static_cast<double>(lattice.columns), height / static_cast<double>(lattice.rows)};
+  lattice.first = {box.lower.x + lattice.spacing.x / 2, box.lower.y + lattice.spacing.y / 2};
+  lattice.geometry = box;
+  return lattice;
+}
+
+Lattice fill(const Disc& disc, Vector origin, double spacing) {
+  const double radius = disc.radius + rim * spacing;
+  const auto first = [&](double centre, double from) {
+    return std::ceil((centre - radius - from) / spacing - 0.5);
+  };
+  const auto last = [&](double centre, double from) {
+    return std::floor((centre + radius - from) / spacing - 0.5);
+  };
+  const double i0 = first(disc.centre.x, origin.x), i1 = last(disc.centre.x, origin.x);
+  const double j0 = first(disc.centre.y, origin.y), j1 = last(disc.centre.y, origin.y);
+  Lattice lattice;
+  lattice.columns = static_cast<std::int64_t>(std::max(0.0, i1 - i0 + 1));
+  lattice.rows = static_cast<std::int64_t>(std::max(0.0, j1 - j0 + 1));
+  lattice.spacing = {spacing, spacing};
+  lattice.first = {origin.x + (i0 + 0.5) * spacing, origin.y + (j0 + 0.5) * spacing};
+  lattice.geometry = disc;
+  return lattice;
+}
+
+}  // namespace
+
+Lattice::Range Lattice::columns_in_row(std::int64_t row) const {
+  const Disc* disc = std::get_if<Disc>(&geometry);
+  if (disc == nullptr) return {0, columns};
+  const double radius = disc->radius + rim * spacing.x;
+  const double dy = first.y + static_cast<double>(row) * spacing.y - disc->centre.y;
+  const double square = radius * radius - dy * dy;
+  if (square < 0) return {0, 0};
+  const double half = std::sqrt(square);
+  const double from = std::ceil((disc->centre.x - half - first.x) / spacing.x);
+  const double to = std::floor((disc->centre.x + half - first.x) / spacing.x) + 1;
+  const std::int64_t begin = std::clamp<std::int64_t>(static_cast<std::int64_t>(from), 0, columns);
+  return {begin, std::clamp<std::int64_t>(static_cast<std::int64_t>(to), begin, columns)};
+}
+
+std::int64_t Lattice::count() const {
+  if (!std::holds_alternative<Disc>(geometry)) return columns * rows;
+  std::int64_t points = 0;
+  for (std::int64_t row = 0; row < rows; ++row) {
+    const Range range = columns_in_row(row);
+    points += range.end - range.begin;
+  }
+  return points;
+}
+
+Lattice make_lattice(const Region& geometry, Vector grid_origin, double cell, int particles_per_cell_side) {
+  const double spacing = cell / particles_per_cell_side;
+  if (const Box* box = std::get_if<Box>(&geometry)) return fill(*box, grid_origin, spacing);
+  return fill(std::get<Disc>(geometry), grid_origin, spacing);
+}
+
+double estimated_points(const Region& geometry, double cell, int particles_per_cell_side) {
+  const double spacing = cell / particles_per_cell_side;
+  if (const Box* box = std::get_if<Box>(&geometry)) {
+    return points_along(box->upper.x - box->lower.x, spacing) * points_along(box->upper.y - box->lower.y, spacing);
+  }
+  const double radius = std::get<Disc>(geometry).radius / spacing;
+  return std::numbers::pi * radius * radius;
+}
+
+}  // namespace trajan

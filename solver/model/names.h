@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trajan {
+
+/// " (did you mean "x"?)" for the candidate nearest to `name` by edit distance, empty if none is near.
+std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
+
+/// `text` cut to a length that fits a message.
+std::string shortened(std::string_view text);
+
+/// The shortest decimal number that reads back as `value`.
+std::string number_text(double value);
+
+/// "a, b, c", for messages; the first twenty.
+std::string list_of(std::span<const std::string> names);
+
+/// Letters, digits, `_` and `-`, at most 64: safe in column names, file names and HDF5 paths.
+bool is_identifier(std::string_view name);
+
+}  // namespace trajan
