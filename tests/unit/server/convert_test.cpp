@@ -1,0 +1,298 @@
+#include "server/convert.h"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/unit/server/scene_schema.h"
+
+namespace trajan {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+
+v1::Scene parse(const std::string& text) {
+  v1::Scene scene;
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &scene)) << text;
+  return scene;
+}
+
+/// The message of every_field.textproto and its translation.
+class EveryField : public ::testing::Test {
+ protected:
+  static v1::Scene read() {
+    std::ostringstream text;
+    text << std::ifstream(TRAJAN_TEST_DATA "/every_field.textproto").rdbuf();
+    return parse(text.str());
+  }
+  v1::Scene message_ = read();
+  Scene scene_ = to_scene(message_);
+};
+
+void expect_vector(const Vector& vector, double x, double y) {
+  EXPECT_EQ(vector.x, x);
+  EXPECT_EQ(vector.y, y);
+}
+
+void expect_box(const Region& region, double lower_x, double lower_y, double upper_x, double upper_y) {
+  ASSERT_TRUE(std::holds_alternative<Box>(region));
+  expect_vector(std::get<Box>(region).lower, lower_x, lower_y);
+  expect_vector(std::get<Box>(region).upper, upper_x, upper_y);
+}
+
+void expect_disc(const Region& region, double x, double y, double radius) {
+  ASSERT_TRUE(std::holds_alternative<Disc>(region));
+  expect_vector(std::get<Disc>(region).centre, x, y);
+  EXPECT_EQ(std::get<Disc>(region).radius, radius);
+}
+
+TEST_F(EveryField, UsesTheWholeSchema) {
+  std::set<std::string> missing = testing::schema_of(*v1::Scene::descriptor());
+  for (const std::string& name : testing::used_by(message_)) missing.erase(name);
+  // A scene has one dimension; what is unspecified is another test's.
+  EXPECT_THAT(missing, ElementsAre("trajan.v1.Domain.DIMENSION_UNSPECIFIED", "trajan.v1.Domain.PLANE_STRESS",
+                                   "trajan.v1.EdgeTraction.EDGE_UNSPECIFIED"));
+}
+
+TEST_F(EveryField, KeepsNamesConstantsAndDomain) {
+  EXPECT_EQ(scene_.name, "every-field");
+  EXPECT_EQ(scene_.description, "a description");
+  EXPECT_EQ(scene_.units, "m, s, kg");
+  ASSERT_EQ(scene_.constants.size(), 2u);
+  EXPECT_EQ(scene_.constants[0].name, "E");
+  EXPECT_EQ(scene_.constants[0].value, "2e3");
+  EXPECT_EQ(scene_.constants[1].name, "c");
+  EXPECT_EQ(scene_.domain.dimension, Dimension::plane_strain);
+  expect_vector(scene_.domain.lower, -1.5, -2.5);
+  expect_vector(scene_.domain.upper, 3.5, 4.5);
+  EXPECT_EQ(scene_.domain.cell_size, 0.125);
+  EXPECT_EQ(scene_.domain.thickness, 0.75);
+}
+
+TEST_F(EveryField, KeepsMaterials) {
+  ASSERT_EQ(scene_.materials.size(), 2u);
+  EXPECT_EQ(scene_.materials[0].name, "rate");
+  EXPECT_EQ(scene_.materials[0].density, 1001);
+  EXPECT_EQ(scene_.materials[0].law, "linear_elastic");
+  EXPECT_THAT(scene_.materials[0].parameters,
+              ElementsAre(Pair("poissons_ratio", 0.31), Pair("youngs_modulus", 1002)));
+  EXPECT_EQ(scene_.materials[1].law, "neo_hookean");
+  EXPECT_THAT(scene_.materials[1].parameters,
+              ElementsAre(Pair("poissons_ratio", 0.32), Pair("youngs_modulus", 1004)));
+}
+
+TEST_F(EveryField, KeepsBodies) {
+  ASSERT_EQ(scene_.bodies.size(), 2u);
+  EXPECT_EQ(scene_.bodies[0].name, "beam");
+  EXPECT_EQ(scene_.bodies[0].material, "rate");
+  expect_box(scene_.bodies[0].geometry, 5.1, 5.2, 5.3, 5.4);
+  EXPECT_EQ(scene_.bodies[0].particles_per_cell_side, 3);
+  EXPECT_EQ(scene_.bodies[0].initial_velocity.x, "1*x");
+  EXPECT_EQ(scene_.bodies[0].initial_velocity.y, "2*y");
+  expect_disc(scene_.bodies[1].geometry, 6.1, 6.2, 6.3);
+}
+
+TEST_F(EveryField, KeepsBoundaries) {
+  ASSERT_EQ(scene_.boundaries.size(), 2u);
+  EXPECT_EQ(scene_.boundaries[0].name, "clamp");
+  expect_box(scene_.boundaries[0].nodes, 7.1, 7.2, 7.3, 7.4);
+  EXPECT_THAT(std::get<Fixed>(scene_.boundaries[0].condition).axes,
+              ElementsAre(Axis::y, Axis::x, Axis::unspecified));
+  expect_disc(scene_.boundaries[1].nodes, 8.1, 8.2, 8.3);
+  const auto& piston = std::get<PrescribedVelocity>(scene_.boundaries[1].condition);
+  EXPECT_EQ(piston.velocity.x, "3*t");
+  EXPECT_EQ(piston.velocity.y, "4*t");
+}
+
+TEST_F(EveryField, KeepsLoads) {
+  ASSERT_EQ(scene_.loads.size(), 6u);
+  EXPECT_EQ(scene_.loads[0].name, "point");
+  const auto& point = std::get<PointForce>(scene_.loads[0].kind);
+  EXPECT_EQ(point.body, "ball");
+  expect_vector(point.position, 9.1, 9.2);
+  expect_vector(point.force, 9.3, 9.4);
+  const auto& left = std::get<EdgeTraction>(scene_.loads[1].kind);
+  EXPECT_EQ(left.body, "beam");
+  expect_vector(left.traction, 10.1, 10.2);
+  EXPECT_EQ(left.profile, "y");
+  std::vector<Edge> edges;
+  for (int i : {1, 2, 3, 4}) edges.push_back(std::get<EdgeTraction>(scene_.loads[i].kind).edge);
+  EXPECT_THAT(edges, ElementsAre(Edge::left, Edge::right, Edge::bottom, Edge::top));
+  const auto& gravity = std::get<BodyForce>(scene_.loads[5].kind);
+  expect_vector(gravity.acceleration, 13.1, 13.2);
+  EXPECT_THAT(gravity.bodies, ElementsAre("ball", "beam"));
+}
+
+TEST_F(EveryField, KeepsTimeFunctions) {
+  EXPECT_EQ(std::get<double>(scene_.loads[0].time), 9.5);
+  const auto& ramp = std::get<Ramp>(scene_.loads[1].time);
+  EXPECT_EQ(ramp.start, 10.3);
+  EXPECT_EQ(ramp.duration, 10.4);
+  EXPECT_TRUE(ramp.smooth);
+  const auto& sine = std::get<Sine>(scene_.loads[2].time);
+  EXPECT_EQ(sine.frequency, 11.1);
+  EXPECT_EQ(sine.phase, 11.2);
+  const auto& table = std::get<Table>(scene_.loads[3].time);
+  EXPECT_THAT(table.times, ElementsAre(12.1, 12.2, 12.3));
+  EXPECT_THAT(table.values, ElementsAre(12.4, 12.5));
+  EXPECT_EQ(std::get<std::string>(scene_.loads[4].time), "5*t");
+  EXPECT_EQ(std::get<double>(scene_.loads[5].time), 1.0) << "the default";
+}
+
+TEST_F(EveryField, KeepsAnalysisAndNumerics) {
+  EXPECT_EQ(scene_.analysis.end_time, 14.1);
+  EXPECT_EQ(scene_.analysis.damping, 14.2);
+  EXPECT_EQ(scene_.numerics.scheme, "TLMPM");
+  EXPECT_EQ(scene_.numerics.shape_functions, "cubic");
+  EXPECT_EQ(scene_.numerics.flip_fraction, 0.91);
+  EXPECT_EQ(scene_.numerics.time_step_fraction, 0.92);
+  EXPECT_EQ(scene_.numerics.time_step, 0.93);
+  EXPECT_EQ(scene_.numerics.threads, 7);
+}
+
+TEST_F(EveryField, KeepsOutputs) {
+  EXPECT_EQ(scene_.outputs.samples, 300);
+  EXPECT_EQ(scene_.outputs.snapshots, 30);
+  EXPECT_THAT(scene_.outputs.snapshot_fields, ElementsAre(Field::velocity, Field::unspecified));
+  ASSERT_EQ(scene_.outputs.probes.size(), 2u);
+  const ProbeDefinition& tip = scene_.outputs.probes[0];
+  EXPECT_EQ(tip.name, "tip");
+  EXPECT_EQ(tip.body, "beam");
+  expect_vector(std::get<Vector>(tip.where), 15.1, 15.2);
+  EXPECT_THAT(tip.fields, ElementsAre(Field::position, Field::displacement));
+  expect_box(std::get<Region>(scene_.outputs.probes[1].where), 16.1, 16.2, 16.3, 16.4);
+  EXPECT_THAT(scene_.outputs.probes[1].fields, ElementsAre(Field::stress));
+}
+
+TEST_F(EveryField, KeepsMeasures) {
+  ASSERT_EQ(scene_.measures.size(), 7u);
+  const MeasureDefinition& first = scene_.measures[0];
+  EXPECT_EQ(first.name, "m1");
+  EXPECT_EQ(first.quantity, "tip.displacement.y");
+  EXPECT_EQ(first.from, 17.1);
+  EXPECT_EQ(first.until, 17.2);
+  EXPECT_EQ(first.exact, "6*E");
+  EXPECT_EQ(first.source, "a book");
+  EXPECT_EQ(first.tolerance, 17.3);
+}
+
+TEST_F(EveryField, KeepsKindsOfMeasures) {
+  ASSERT_EQ(scene_.measures.size(), 7u);
+  EXPECT_TRUE(std::holds_alternative<FinalValue>(scene_.measures[0].kind));
+  EXPECT_EQ(std::get<ExtremeValue>(scene_.measures[1].kind).kind, ExtremeKind::maximum);
+  EXPECT_EQ(std::get<ExtremeValue>(scene_.measures[2].kind).kind, ExtremeKind::minimum);
+  EXPECT_EQ(std::get<ExtremeValue>(scene_.measures[3].kind).kind, ExtremeKind::magnitude);
+  EXPECT_TRUE(std::holds_alternative<MeanValue>(scene_.measures[4].kind));
+  const auto& frequency = std::get<DominantFrequency>(scene_.measures[5].kind);
+  EXPECT_EQ(frequency.lowest, 18.1);
+  EXPECT_EQ(frequency.highest, 18.2);
+  const auto& deviation = std::get<Deviation>(scene_.measures[6].kind);
+  EXPECT_EQ(deviation.exact_history, "7*t");
+  EXPECT_EQ(deviation.scale, 18.3);
+}
+
+TEST(ConvertScene, FieldsLeftOutTakeTheirDefaults) {
+  const Scene scene = to_scene(parse("bodies {} loads {} measures { deviation {} }"));
+  const Scene fresh;
+  EXPECT_EQ(scene.domain.thickness, 1);
+  EXPECT_EQ(scene.bodies[0].particles_per_cell_side, 2);
+  EXPECT_EQ(scene.bodies[0].initial_velocity.x, std::nullopt);
+  EXPECT_EQ(std::get<double>(scene.loads[0].time), 1);
+  EXPECT_EQ(scene.numerics.scheme, fresh.numerics.scheme);
+  EXPECT_EQ(scene.numerics.shape_functions, fresh.numerics.shape_functions);
+  EXPECT_EQ(scene.numerics.flip_fraction, 1);
+  EXPECT_EQ(scene.numerics.time_step_fraction, 0.5);
+  EXPECT_EQ(scene.numerics.time_step, std::nullopt);
+  EXPECT_EQ(scene.numerics.threads, std::nullopt);
+  EXPECT_EQ(scene.outputs.samples, 200);
+  EXPECT_EQ(scene.outputs.snapshots, std::nullopt);
+  EXPECT_EQ(scene.outputs.snapshot_fields, fresh.outputs.snapshot_fields);
+  EXPECT_EQ(std::get<Deviation>(scene.measures[0].kind).scale, 1);
+  EXPECT_EQ(scene.measures[0].tolerance, std::nullopt);
+}
+
+TEST(ConvertScene, ChoicesLeftOutStayOpen) {
+  const Scene scene = to_scene(
+      parse("materials {} bodies {} boundaries {} loads {} measures {} outputs { probes {} probes { mean {} } }"));
+  EXPECT_THAT(scene.materials[0].law, IsEmpty());
+  EXPECT_EQ(scene.bodies[0].geometry.index(), 0u);
+  EXPECT_EQ(scene.boundaries[0].condition.index(), 0u);
+  EXPECT_EQ(scene.loads[0].kind.index(), 0u);
+  EXPECT_EQ(scene.measures[0].kind.index(), 0u);
+  EXPECT_EQ(scene.outputs.probes[0].where.index(), 0u);
+  EXPECT_EQ(std::get<Region>(scene.outputs.probes[1].where).index(), 0u) << "a mean over an empty region";
+}
+
+TEST(ConvertScene, ZeroGivenIsNotTheSameAsLeftOut) {
+  const Scene scene =
+      to_scene(parse("domain { thickness: 0 } numerics { flip_fraction: 0 threads: 0 }"
+                     "outputs { samples: 0 snapshots: 0 } bodies { particles_per_cell_side: 0 }"));
+  EXPECT_EQ(scene.domain.thickness, 0);
+  EXPECT_EQ(scene.numerics.flip_fraction, 0);
+  EXPECT_EQ(scene.numerics.threads, 0);
+  EXPECT_EQ(scene.outputs.samples, 0);
+  EXPECT_EQ(scene.outputs.snapshots, 0);
+  EXPECT_EQ(scene.bodies[0].particles_per_cell_side, 0);
+}
+
+TEST(ConvertScene, EnumValuesOfALaterVersionAreUnspecified) {
+  const Scene scene =
+      to_scene(parse("domain { dimension: 77 } boundaries { fixed { axes: 77 } }"
+                     "loads { edge_traction { edge: 77 } } outputs { snapshot_fields: 77 }"
+                     "measures { extreme { kind: 77 } }"));
+  EXPECT_EQ(scene.domain.dimension, Dimension::unspecified);
+  EXPECT_THAT(std::get<Fixed>(scene.boundaries[0].condition).axes, ElementsAre(Axis::unspecified));
+  EXPECT_EQ(std::get<EdgeTraction>(scene.loads[0].kind).edge, Edge::unspecified);
+  EXPECT_THAT(scene.outputs.snapshot_fields, ElementsAre(Field::unspecified));
+  EXPECT_EQ(scene.measures[0].kind.index(), 0u);
+}
+
+TEST(ConvertScene, PlaneStressIsTheOtherDimension) {
+  EXPECT_EQ(to_scene(parse("domain { dimension: PLANE_STRESS }")).domain.dimension, Dimension::plane_stress);
+}
+
+TEST(ConvertAnswers, ViolationKeepsItsFourTexts) {
+  const v1::Violation message = to_proto(Violation{"a[0].b", "value", "problem", "remedy"});
+  EXPECT_EQ(message.path(), "a[0].b");
+  EXPECT_EQ(message.value(), "value");
+  EXPECT_EQ(message.problem(), "problem");
+  EXPECT_EQ(message.remedy(), "remedy");
+}
+
+TEST(ConvertAnswers, MeasureWithoutExactValueHasNoError) {
+  const v1::MeasureValue bare = to_proto(MeasureValue{"m", "q", 1.5, {}, {}, {}, ""});
+  EXPECT_EQ(bare.value(), 1.5);
+  EXPECT_FALSE(bare.has_exact() || bare.has_error() || bare.has_tolerance());
+  const v1::MeasureValue full = to_proto(MeasureValue{"m", "q", 1.5, 0.0, 1.5, 0.25, "book"});
+  EXPECT_TRUE(full.has_exact());
+  EXPECT_EQ(full.error(), 1.5);
+  EXPECT_EQ(full.tolerance(), 0.25);
+  EXPECT_EQ(full.source(), "book");
+}
+
+TEST(ConvertAnswers, ProgressKeepsItsNumbers) {
+  const v1::Progress message = to_proto(RunProgress{1, 2, 3.5, 4.5, 5, 6.5, 7.5});
+  EXPECT_EQ(message.ShortDebugString(),
+            "step: 1 total_steps: 2 time: 3.5 end_time: 4.5 rows: 5 energy_balance_error: 6.5 "
+            "particle_steps_per_second: 7.5");
+}
+
+TEST(ConvertAnswers, DivergenceSaysWhereAndWhy) {
+  const v1::Failure message = to_proto(Divergence{1, 2.5, 3, "cause", "remedy"});
+  EXPECT_EQ(message.ShortDebugString(),
+            "reason: \"DIVERGED\" message: \"cause\" remedy: \"remedy\" step: 1 time: 2.5 particle: 3");
+}
+
+TEST(ConvertAnswers, PlanKeepsItsNumbersAndAttributes) {
+  const v1::Plan message = to_proto(ModelPlan{1, 2, 3.5, 4, "wave", 5, {{"mass", 8, "scheme"}}});
+  EXPECT_EQ(message.ShortDebugString(),
+            "particles: 1 active_cells: 2 time_step: 3.5 steps: 4 time_step_limit: \"wave\" memory_bytes: 5 "
+            "attributes { name: \"mass\" bytes_per_particle: 8 wanted_by: \"scheme\" }");
+}
+
+}  // namespace
+}  // namespace trajan
