@@ -1,0 +1,133 @@
+#include "server/store.h"
+
+#include <future>
+#include <stdexcept>
+#include <string>
+
+namespace trajan::store {
+
+namespace {
+
+constexpr int schema_version = 1;
+
+constexpr const char* schema = R"sql(
+  BEGIN;
+  CREATE TABLE jobs(
+    job_id INTEGER PRIMARY KEY AUTOINCREMENT,
+    state INTEGER NOT NULL,          -- trajan.v1.JobState
+    priority INTEGER NOT NULL,
+    losses INTEGER NOT NULL,         -- attempts that ended without a word from the worker
+    worker TEXT,                     -- holds the lease of the present attempt
+    process_id INTEGER NOT NULL,     -- of that worker if it is one of the server's own, or 0
+    request_id TEXT UNIQUE,
+    job BLOB NOT NULL,               -- trajan.v1.Job without its scene
+    request BLOB NOT NULL);          -- trajan.v1.SubmitJobRequest
+  CREATE INDEX queued ON jobs(priority DESC, job_id) WHERE state = 1;
+  CREATE INDEX leased ON jobs(worker) WHERE worker IS NOT NULL;
+  CREATE TABLE labels(
+    key TEXT, value TEXT, job_id INTEGER, PRIMARY KEY(job_id, key)) WITHOUT ROWID;
+  CREATE TABLE events(
+    job_id INTEGER, sequence INTEGER, event BLOB NOT NULL,  -- trajan.v1.Event
+    PRIMARY KEY(job_id, sequence)) WITHOUT ROWID;
+  PRAGMA user_version = 1;
+  COMMIT;
+)sql";
+
+/// WAL: readers and the writer do not wait for each other. FULL: a commit is on disk before it returns.
+void configure(Database& database) {
+  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;");
+}
+
+void bring_to_present_schema(Database& database) {
+  std::int64_t version = 0;
+  {
+    Statement query = database.prepare("PRAGMA user_version");
+    query.step();
+    version = query.integer(0);
+  }
+  if (version == schema_version) return;
+  if (version != 0) {
+    throw std::runtime_error("the database has schema version " + std::to_string(version) +
+                             "; this program knows version " + std::to_string(schema_version));
+  }
+  database.execute(schema);
+}
+
+}  // namespace
+
+Store::Store(const std::filesystem::path& file) : writer_(file), reader_(file) {
+  configure(writer_);
+  bring_to_present_schema(writer_);
+  configure(reader_);
+  reader_.execute("PRAGMA query_only = ON");
+  thread_ = std::thread([this] { write_until_closed(); });
+}
+
+Store::~Store() {
+  {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Store::commit(Change change, Done done) {
+  {
+    const std::lock_guard lock(mutex_);
+    pending_.push_back({std::move(change), std::move(done), nullptr});
+  }
+  wake_.notify_all();
+}
+
+void Store::commit(Change change) {
+  std::promise<void> committed;
+  commit(std::move(change), [&](std::exception_ptr error) {
+    if (error) {
+      committed.set_exception(error);
+    } else {
+      committed.set_value();
+    }
+  });
+  committed.get_future().get();
+}
+
+void Store::write_until_closed() {
+  while (true) {
+    std::vector<Pending> batch;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, [&] { return closed_ || !pending_.empty(); });
+      if (pending_.empty()) return;
+      batch.swap(pending_);
+    }
+    write(batch);
+    for (Pending& entry : batch) entry.done(entry.error);
+  }
+}
+
+void Store::write(std::vector<Pending>& batch) {
+  try {
+    writer_.execute("BEGIN IMMEDIATE");
+    for (Pending& entry : batch) {
+      writer_.execute("SAVEPOINT change");
+      try {
+        entry.change(writer_);
+      } catch (...) {
+        entry.error = std::current_exception();
+        writer_.execute("ROLLBACK TO change");
+      }
+      writer_.execute("RELEASE change");
+    }
+    writer_.execute("COMMIT");
+  } catch (...) {
+    for (Pending& entry : batch) entry.error = std::current_exception();
+    try {
+      writer_.execute("ROLLBACK");
+    } catch (const std::exception&) {
+      // SQLite has rolled back by itself, as it does on a full disk.
+    }
+  }
+}
+
+}  // namespace trajan::store
