@@ -24,7 +24,7 @@ OWNERS = {
 # What the solver's folders must not know of each other.
 FORBIDDEN = {
     "solver/scene/": r"^solver/(?!scene/)",
-    "solver/materials/": r"^solver/(shapes|transfers|boundaries|schemes|analyses|executors|results|measures)/",
+    "solver/materials/": r"^solver/(shapes|transfers|boundaries|schemes|analyses|results|measures)/",
     "solver/shapes/": r"^solver/(materials|transfers|boundaries|schemes|analyses|results|measures)/",
     "solver/model/": r"^solver/(transfers|schemes|analyses|executors|results|measures)/",
     "solver/schemes/": r"^solver/(analyses|results|measures)/",
