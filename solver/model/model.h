@@ -91,15 +91,6 @@ struct Probe {
   std::vector<Field> fields;
 };
 
-struct Numeric {
-  std::string scheme;           ///< a name of scheme_names()
-  std::string shape_functions;  ///< a name of shape_names()
-  double flip_fraction = 1;
-  double time_step_fraction = 0.5;
-  std::optional<double> time_step;
-  std::optional<int> threads;
-};
-
 /// The histories' clock: sample i is at i * end_time / samples; a snapshot at every
 /// `samples_per_snapshot`-th sample (0: none).
 struct OutputPlan {
@@ -136,7 +127,7 @@ class Model {
   std::vector<BodyLoad> body_loads;
   double end_time = 0;
   double damping = 0;
-  Numeric numerics;
+  Numerics numerics;  ///< names of registered schemes and shape functions
   OutputPlan outputs;
   std::vector<Measure> measures;
 

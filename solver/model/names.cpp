@@ -58,6 +58,11 @@ std::string number_text(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
+std::string point_text(Vector point) {
+  std::string text = "(";
+  return text.append(number_text(point.x)).append(", ").append(number_text(point.y)).append(")");
+}
+
 std::string list_of(std::span<const std::string> names) {
   constexpr std::size_t most = 20;
   std::string list;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/scene/scene.h"
+
 namespace trajan {
 
 /// " (did you mean "x"?)" for the candidate nearest to `name` by edit distance, empty if none is near.
@@ -15,6 +17,9 @@ std::string shortened(std::string_view text);
 
 /// The shortest decimal number that reads back as `value`.
 std::string number_text(double value);
+
+/// "(1, 2.5)"
+std::string point_text(Vector point);
 
 /// "a, b, c", for messages; the first twenty.
 std::string list_of(std::span<const std::string> names);

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/selection.h"
+#include "solver/model/validator.h"
+
+namespace trajan {
+
+namespace {
+
+/// The nodes within a region to a tolerance in cells, clipped to the grid.
+NodeRegion nodes_in(const Grid& grid, const Region& region, double tolerance) {
+  NodeRegion nodes;
+  Box box;
+  if (const Disc* disc = std::get_if<Disc>(&region)) {
+    nodes.disc = Disc{disc->centre, disc->radius + tolerance * grid.cell};
+    box = {{disc->centre.x - disc->radius, disc->centre.y - disc->radius},
+           {disc->centre.x + disc->radius, disc->centre.y + disc->radius}};
+  } else {
+    box = std::get<Box>(region);
+  }
+  const auto first = [&](double coordinate, double origin, std::int64_t cells) {
+    const double index = std::ceil((coordinate - origin) / grid.cell - tolerance);
+    return static_cast<std::int64_t>(std::clamp(index, 0.0, static_cast<double>(cells + 1)));
+  };
+  const auto last = [&](double coordinate, double origin, std::int64_t cells) {
+    const double index = std::floor((coordinate - origin) / grid.cell + tolerance);
+    return static_cast<std::int64_t>(std::clamp(index, -1.0, static_cast<double>(cells)));
+  };
+  nodes.i0 = first(box.lower.x, grid.origin.x, grid.cells_x);
+  nodes.i1 = last(box.upper.x, grid.origin.x, grid.cells_x);
+  nodes.j0 = first(box.lower.y, grid.origin.y, grid.cells_y);
+  nodes.j1 = last(box.upper.y, grid.origin.y, grid.cells_y);
+  return nodes;
+}
+
+/// A disc catches a node if it catches the one that is nearest to its centre.
+bool is_empty(const Grid& grid, const NodeRegion& nodes) {
+  if (nodes.i0 > nodes.i1 || nodes.j0 > nodes.j1) return true;
+  if (!nodes.disc) return false;
+  const auto nearest = [&](double coordinate, double origin, std::int64_t cells) {
+    const double index =
+        std::clamp(std::round((coordinate - origin) / grid.cell), 0.0, static_cast<double>(cells));
+    return origin + index * grid.cell;
+  };
+  const Vector node = {nearest(nodes.disc->centre.x, grid.origin.x, grid.cells_x),
+                       nearest(nodes.disc->centre.y, grid.origin.y, grid.cells_y)};
+  return distance_from(*nodes.disc, node) > 0;
+}
+
+}  // namespace
+
+void Validator::check_boundaries() {
+  if (!check_list("boundaries", scene_.boundaries)) return;
+  for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
+    check_boundary(indexed("boundaries", i), scene_.boundaries[i]);
+  }
+}
+
+void Validator::check_boundary(const std::string& path, const BoundaryDefinition& definition) {
+  NodeCondition condition;
+  condition.name = definition.name;
+  if (check_region(path + ".nodes", definition.nodes, false) && grid_complete_) {
+    condition.nodes = nodes_in(model_.grid, definition.nodes, node_tolerance);
+    if (is_empty(model_.grid, condition.nodes)) {
+      violations_.add(path + ".nodes", "", "catches no node of the grid",
+                      "enlarge the region; nodes lie at domain.lower + cell_size * (i, j)");
+    }
+  }
+  if (const auto* fixed = std::get_if<Fixed>(&definition.condition)) {
+    check_condition(path + ".fixed", *fixed, condition);
+  } else if (const auto* prescribed = std::get_if<PrescribedVelocity>(&definition.condition)) {
+    check_condition(path + ".prescribed_velocity", *prescribed, condition);
+  } else {
+    violations_.add(path, "", "has no condition", "give fixed or prescribed_velocity");
+  }
+  model_.conditions.push_back(std::move(condition));
+}
+
+void Validator::check_condition(const std::string& path, const Fixed& fixed, NodeCondition& condition) {
+  const Expression zero("0", "t", {});
+  for (std::size_t i = 0; i < fixed.axes.size(); ++i) {
+    if (fixed.axes[i] == Axis::unspecified) {
+      violations_.add(indexed(path + ".axes", i), "", "is not an axis", "give X or Y");
+    }
+  }
+  const auto holds = [&](Axis axis) {
+    return fixed.axes.empty() || std::ranges::find(fixed.axes, axis) != fixed.axes.end();
+  };
+  if (holds(Axis::x)) condition.velocity_x = zero;
+  if (holds(Axis::y)) condition.velocity_y = zero;
+}
+
+void Validator::check_condition(const std::string& path, const PrescribedVelocity& prescribed,
+                                NodeCondition& condition) {
+  const VectorExpression& velocity = prescribed.velocity;
+  if (!velocity.x && !velocity.y) {
+    violations_.add(path + ".velocity", "", "prescribes no component", "give x, y or both");
+  }
+  if (velocity.x) condition.velocity_x = history_formula(path + ".velocity.x", *velocity.x);
+  if (velocity.y) condition.velocity_y = history_formula(path + ".velocity.y", *velocity.y);
+}
+
+}  // namespace trajan

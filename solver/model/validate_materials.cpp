@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/names.h"
+#include "solver/model/validator.h"
+
+namespace trajan {
+
+namespace {
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const MaterialKind& kind : material_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+std::string range_text(const Parameter& parameter) {
+  std::string text;
+  if (std::isfinite(parameter.lowest)) text += "greater than " + number_text(parameter.lowest);
+  if (std::isfinite(parameter.highest)) {
+    text += (text.empty() ? "" : " and ") + std::string("less than ") + number_text(parameter.highest);
+  }
+  return text.empty() ? "finite" : text;
+}
+
+}  // namespace
+
+void Validator::check_materials() {
+  if (scene_.materials.empty()) {
+    violations_.add("materials", "", "there is no material", "define at least one");
+  }
+  if (!check_list("materials", scene_.materials)) return;
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+    const MaterialDefinition& definition = scene_.materials[i];
+    const std::string path = indexed("materials", i);
+    Material& material = model_.materials.emplace_back();
+    material.name = definition.name;
+    material.density = definition.density;
+    violations_.positive(path + ".density", definition.density);
+    check_law(path, definition, material);
+  }
+}
+
+void Validator::check_law(const std::string& path, const MaterialDefinition& definition, Material& material) {
+  if (definition.law.empty()) {
+    violations_.add(path, "", "has no constitutive law", "give one of: " + list_of(law_names()));
+    return;
+  }
+  material.kind = find_material_kind(definition.law);
+  if (material.kind == nullptr) return unknown_name(path, definition.law, "constitutive law", law_names());
+  const std::string law_path = path + "." + definition.law;
+  std::vector<std::string> known;
+  bool complete = definition.density > 0;
+  for (const Parameter& parameter : material.kind->parameters) {
+    known.emplace_back(parameter.name);
+    const auto given = definition.parameters.find(known.back());
+    if (given == definition.parameters.end()) {
+      complete = violations_.add(law_path + "." + known.back(), "",
+                                 "is not given (" + std::string(parameter.meaning) + ")",
+                                 "give a number " + range_text(parameter));
+      continue;
+    }
+    material.parameters.push_back(given->second);
+    complete = check_parameter(law_path + "." + known.back(), parameter, given->second) && complete;
+  }
+  for (const auto& [name, value] : definition.parameters) {
+    if (std::ranges::find(known, name) == known.end()) {
+      unknown_name(law_path + "." + shortened(name), name, "parameter", known);
+      complete = false;
+    }
+  }
+  if (!complete || model_.dimension == Dimension::unspecified) return;
+  const double speed = material.kind->wave_speed(material.parameters, material.density, model_.dimension);
+  if (!(std::isfinite(speed) && speed > 0)) {
+    violations_.add(path, "wave speed " + number_text(speed), "its numbers give no finite wave speed",
+                    "give stiffness and density of less extreme size");
+  }
+}
+
+bool Validator::check_parameter(const std::string& path, const Parameter& parameter, double value) {
+  if (std::isfinite(value) && value > parameter.lowest && value < parameter.highest) return true;
+  return violations_.add(path, number_text(value), "is out of range for the " + std::string(parameter.meaning),
+                         "give a number " + range_text(parameter));
+}
+
+}  // namespace trajan

@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/names.h"
+#include "solver/model/validator.h"
+#include "solver/schemes/scheme.h"
+#include "solver/schemes/time_step.h"
+
+namespace trajan {
+
+namespace {
+
+/// A run of more steps would not end within anybody's patience.
+constexpr double most_steps = 1e12;
+
+std::vector<std::string> strings(std::span<const std::string_view> names) { return {names.begin(), names.end()}; }
+
+}  // namespace
+
+void Validator::check_analysis() {
+  clock_complete_ = violations_.positive("analysis.end_time", scene_.analysis.end_time);
+  violations_.not_negative("analysis.damping", scene_.analysis.damping);
+  model_.end_time = scene_.analysis.end_time;
+  model_.damping = scene_.analysis.damping;
+}
+
+void Validator::check_numerics() {
+  const Numerics& numerics = scene_.numerics;
+  const auto schemes = strings(scheme_names());
+  const auto shapes = strings(shape_names());
+  if (std::ranges::find(schemes, numerics.scheme) == schemes.end()) {
+    unknown_name("numerics.scheme", numerics.scheme, "scheme", schemes);
+  }
+  if (std::ranges::find(shapes, numerics.shape_functions) == shapes.end()) {
+    unknown_name("numerics.shape_functions", numerics.shape_functions, "kind of shape functions", shapes);
+  }
+  violations_.within("numerics.flip_fraction", numerics.flip_fraction, 0, 1);
+  if (!(numerics.time_step_fraction > 0 && numerics.time_step_fraction <= 1)) {
+    violations_.add("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "is out of range",
+                    "give a value greater than 0 and at most 1");
+  }
+  if (numerics.time_step) violations_.positive("numerics.time_step", *numerics.time_step);
+  if (numerics.threads) violations_.within("numerics.threads", *numerics.threads, 1, 256);
+  model_.numerics = numerics;
+}
+
+void Validator::check_time_step() {
+  const TimeStepLimit limit = time_step_limit(model_);
+  const auto& asked = model_.numerics.time_step;
+  if (asked && !(*asked <= limit.value)) {
+    violations_.add("numerics.time_step", number_text(*asked),
+                    "is beyond the stable limit (" + limit.because + ")",
+                    "give at most " + number_text(limit.value) + " or leave it out");
+    return;
+  }
+  const double step = asked ? *asked : limit.value * model_.numerics.time_step_fraction;
+  if (!(model_.end_time / step <= most_steps)) {
+    violations_.add("analysis.end_time", number_text(model_.end_time),
+                    "takes " + number_text(model_.end_time / step) + " steps of " + number_text(step) + " (" +
+                        limit.because + ")",
+                    "give an earlier end, larger cells or a slower material: at most 10^12 steps");
+  }
+}
+
+}  // namespace trajan

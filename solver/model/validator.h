@@ -1,0 +1,111 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "solver/model/expression.h"
+#include "solver/model/model.h"
+#include "solver/model/violations.h"
+
+namespace trajan {
+
+/// Checks a scene part by part and builds the Model on the way. Each part has its own source file,
+/// validate_<part>.cpp. A part that depends on another is checked as far as the other was right.
+class Validator {
+ public:
+  explicit Validator(const Scene& scene) : scene_(scene) {}
+  Model run();
+
+  static constexpr std::size_t most_entries = 1000;  ///< of every list with names
+  static constexpr double most_particles = 1e9;
+  static constexpr double most_cells = 1 << 30;  ///< along an axis
+  static constexpr double most_selected = 1e7;   ///< particles that all mean probes list together
+  static constexpr double most_load_points = 1e6;
+  static constexpr double most_history_values = 1e9;
+  static constexpr double node_tolerance = 1e-9;  ///< cell sizes
+
+ private:
+  void check_head();
+  void check_constants();
+  void check_domain();
+  void check_grid(const std::string& path);
+  void check_materials();
+  void check_law(const std::string& path, const MaterialDefinition& definition, Material& material);
+  bool check_parameter(const std::string& path, const Parameter& parameter, double value);
+  void check_bodies();
+  bool check_body(const std::string& path, const BodyDefinition& definition, Body& body);
+  bool fill_body(const std::string& path, const BodyDefinition& definition, Body& body);
+  void check_boundaries();
+  void check_boundary(const std::string& path, const BoundaryDefinition& definition);
+  void check_condition(const std::string& path, const Fixed& fixed, NodeCondition& condition);
+  void check_condition(const std::string& path, const PrescribedVelocity& prescribed, NodeCondition& condition);
+  void check_loads();
+  void check_load(const std::string& path, const LoadDefinition& definition);
+  std::vector<LoadPoint> load_points(const std::string& path, const PointForce& force);
+  std::vector<LoadPoint> load_points(const std::string& path, const EdgeTraction& traction);
+  std::vector<std::size_t> loaded_bodies(const std::string& path, const BodyForce& force);
+  std::optional<TimeFunction> time_function(const std::string& path, const TimeFunctionDefinition& definition);
+  void check_analysis();
+  void check_numerics();
+  void check_time_step();
+  void check_outputs();
+  bool check_fields(const std::string& path, const std::vector<Field>& fields);
+  void check_snapshots();
+  void check_probe(const std::string& path, const ProbeDefinition& definition);
+  std::vector<std::int64_t> nearest(const std::string& path, Vector place, const std::vector<std::size_t>& bodies);
+  std::vector<std::int64_t> within_region(const std::string& path, const Region& region,
+                                          const std::vector<std::size_t>& bodies);
+  void check_measures();
+  void check_measure(const std::string& path, const MeasureDefinition& definition);
+  void check_window(const std::string& path, const MeasureDefinition& definition, Measure& measure);
+  void check_frequency(const std::string& path, const DominantFrequency& frequency);
+  void check_exact(const std::string& path, const MeasureDefinition& definition, Measure& measure);
+
+  /// Whether the list is short enough to be looked at. Checks the names in it as well.
+  template <typename Entries>
+  bool check_list(const std::string& path, const Entries& entries);
+  void check_names(const std::string& path, const std::vector<std::string>& names);
+  /// A given and finite region, of some extent if `solid`.
+  bool check_region(const std::string& path, const Region& region, bool solid);
+  /// The formula, if it is right and finite at (at, t).
+  std::optional<Expression> formula(const std::string& path, const std::string& text, const std::string& variables,
+                                    Vector at = {}, double t = 0);
+  /// The same for a formula of t at the beginning and at the end of the analysis.
+  std::optional<Expression> history_formula(const std::string& path, const std::string& text);
+  /// Index of the body of this name; says so if there is none.
+  std::optional<std::size_t> find_body(const std::string& path, const std::string& name);
+  void unknown_name(const std::string& path, const std::string& name, const std::string& what,
+                    const std::vector<std::string>& known);
+  /// Whether the body's lattice can be used.
+  bool is_complete(std::size_t body) const;
+
+  const Scene& scene_;
+  Model model_;
+  Violations violations_;
+  Constants constants_;
+  bool grid_complete_ = false;
+  bool clock_complete_ = false;       ///< end_time and samples are right
+  std::vector<std::string> columns_;  ///< of the histories, without those of broken probes
+  std::set<std::string> broken_probes_;
+  std::vector<bool> body_complete_;
+  std::map<std::string, std::size_t, std::less<>> body_index_;
+  double load_points_ = 0;
+  double selected_ = 0;
+};
+
+template <typename Entries>
+bool Validator::check_list(const std::string& path, const Entries& entries) {
+  if (entries.size() > most_entries) {
+    return violations_.add(path, std::to_string(entries.size()) + " entries", "there are too many entries",
+                           "give at most " + std::to_string(most_entries));
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : entries) names.push_back(entry.name);
+  check_names(path, names);
+  return true;
+}
+
+}  // namespace trajan
