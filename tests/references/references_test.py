@@ -1,0 +1,93 @@
+"""The exact values that the gallery's scenes state are those that the references compute.
+
+Each reference runs at a coarse discretisation, to be quick; the tolerance of each comparison is that
+discretisation's own error (the difference to the fine one, which gave the printed digits) and half of the last
+printed digit.
+"""
+
+import pathlib
+import re
+import unittest
+
+import numpy as np
+
+import cantilever
+import compliant_bar
+import simply_supported_beam
+
+HERE = pathlib.Path(__file__).parent
+SCENES = HERE.parent.parent / "client" / "scenes"
+
+
+def constant(scene, name):
+    """The number that a scene gives for a constant."""
+    text = (SCENES / f"{scene}.textproto").read_text(encoding="utf-8")
+    return float(re.search(rf'constants \{{ name: "{name}" value: "([^"]*)" \}}', text).group(1))
+
+
+class Cantilever(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.computed = cantilever.reference(fine=False)
+
+    def test_the_scene_states_what_finite_elements_find(self):
+        for kind in ("linear", "finite"):
+            tolerance = self.computed[f"{kind}_error"]
+            self.assertLess(tolerance, 2e-5)
+            for scene_name, name in (("tip", "deflection"), ("slope", "slope")):
+                with self.subTest(kind=kind, name=name):
+                    stated = constant("cantilever", f"{scene_name}_{kind}")
+                    self.assertAlmostEqual(stated, self.computed[f"{kind}_{name}"], delta=tolerance)
+
+    def test_the_clamped_edge_lies_between_beam_theory_and_the_point_clamp(self):
+        # A wholly clamped edge holds more than a point, and shear only adds to what bending gives.
+        linear = self.computed["linear_deflection"]
+        self.assertLess(self.computed["beam_theory_deflection"], linear)
+        self.assertLess(linear, self.computed["timoshenko_goodier_deflection"])
+
+    def test_the_strain_measure_does_not_matter_at_the_scene_s_tolerance(self):
+        # A fiftieth of the 0.5 % that the scene allows.
+        self.assertLess(self.computed["finite_difference_between_laws"], 1e-4)
+
+
+class SimplySupportedBeam(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.computed = simply_supported_beam.reference(fine=False)
+
+    def test_the_scene_states_the_rayleigh_lamb_frequency(self):
+        # The scene prints seven digits.
+        self.assertAlmostEqual(constant("ss_beam", "f1"), self.computed["rayleigh_lamb_frequency"], delta=5e-8)
+
+    def test_finite_elements_find_the_same_frequency(self):
+        # Cubic elements one unit long: (k h)^6 is about 4e-3, and the constant of the error is small.
+        self.assertLess(self.computed["finite_element_error"], 1e-5)
+
+    def test_timoshenko_s_beam_is_close_and_euler_s_is_not(self):
+        exact = self.computed["rayleigh_lamb_frequency"]
+        self.assertLess(abs(self.computed["timoshenko_frequency"] / exact - 1), 2e-5)
+        self.assertGreater(self.computed["euler_bernoulli_frequency"] / exact - 1, 0.02)
+
+
+class CompliantBar(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.computed, cls.history = compliant_bar.reference(fine=False)
+
+    def test_the_scene_states_what_finite_elements_find(self):
+        for name, last_digit in (("first_extension", 5e-5), ("frequency", 5e-4)):
+            with self.subTest(name=name):
+                tolerance = self.computed[f"{name}_error"] + last_digit
+                self.assertAlmostEqual(constant("compliant_bar", name), self.computed[name], delta=tolerance)
+
+    def test_the_stored_history_is_the_one_that_finite_elements_give(self):
+        stored = np.loadtxt(HERE / "compliant_bar_history.csv", delimiter=",", skiprows=1)
+        self.assertEqual(len(stored), len(self.history))
+        difference = np.abs(stored[:, 1] - self.history).max()
+        # 0.4 % of the largest extension, under the 1 % that the history is used to prove.
+        self.assertLess(difference, self.computed["history_error"])
+        self.assertLess(self.computed["history_error"], 0.0065)
+
+
+if __name__ == "__main__":
+    unittest.main()
