@@ -13,8 +13,7 @@
 #include "solver/scene/scene.h"
 
 /// A validated scene. Only `validate` makes a Model, everything in it is consistent, and nothing that
-/// reads it checks again. It is never changed, and holds nothing that grows with the number of
-/// particles: bodies are lattices that the Simulation fills. Units are the scene's own.
+/// reads it checks again. It is never changed, and bodies are lattices that the Simulation fills.
 namespace trajan {
 
 /// The background grid: nodes at origin + cell * (i, j), 0 <= i <= cells_x, 0 <= j <= cells_y.
@@ -100,7 +99,6 @@ struct OutputPlan {
   std::vector<Probe> probes;
 };
 
-/// A measure that is known to name an existing column of histories.
 struct Measure {
   std::string name;
   std::string quantity;
