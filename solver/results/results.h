@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -33,18 +34,33 @@ enum class Status { running, succeeded, diverged, cancelled };
 struct FinishedFile {
   std::filesystem::path path;
   std::int64_t size = 0;
-  std::string sha256;  ///< hexadecimal
-  bool complete = false;
+  std::string sha256;     ///< hexadecimal
+  bool complete = false;  ///< the run went to its end
 };
+
+/// A run whose result file is complete, as found in its directory.
+struct FinishedRun {
+  FinishedFile file;
+  Status status = Status::running;
+  std::vector<MeasureValue> measures;
+  std::optional<Divergence> divergence;
+};
+
+/// Set if the directory already holds the complete result of this run (a worker was killed between
+/// finishing the file and saying so): report it instead of opening a writer, which starts anew.
+std::optional<FinishedRun> finished_run(const std::filesystem::path& directory, const Provenance& provenance);
 
 /// Writes one job's result file. Frames are durable (fsync) before `durable_rows` counts them; any kill
 /// loses at most what was not counted. One thread.
 class ResultWriter : public Recorder {
  public:
   /// Starts anew, or, if `directory` holds a checkpoint and a partial file, repairs the file, cuts it
-  /// back to the checkpoint and hands the checkpoint out by `resume_point`. Throws std::runtime_error.
-  static std::unique_ptr<ResultWriter> open(const std::filesystem::path& directory, const Model& model,
-                                            const Provenance& provenance);
+  /// back to the checkpoint and hands the checkpoint out by `resume_point`. Samples are committed together
+  /// every `commit_interval` of wall time: each commit waits for the disk. Throws std::runtime_error, also
+  /// if another process writes to the directory.
+  static std::unique_ptr<ResultWriter> open(
+      const std::filesystem::path& directory, const Model& model, const Provenance& provenance,
+      std::chrono::milliseconds commit_interval = std::chrono::milliseconds(200));
   /// Moved out once; empty for a new run.
   virtual std::optional<Checkpoint> resume_point() = 0;
   /// All histories recorded so far, also those before a resume: times and row-major values.

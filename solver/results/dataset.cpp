@@ -1,0 +1,102 @@
+#include "solver/results/dataset.h"
+
+#include <array>
+#include <stdexcept>
+
+namespace trajan::results {
+
+namespace {
+
+Handle transfer_properties(Dataset::Checksums checksums) {
+  Handle properties(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "make transfer properties");
+  const H5Z_EDC_t check_sums = checksums == Dataset::Checksums::verify ? H5Z_ENABLE_EDC : H5Z_DISABLE_EDC;
+  check(H5Pset_edc_check(properties, check_sums), "choose checksums");
+  return properties;
+}
+
+}  // namespace
+
+Dataset Dataset::create(hid_t parent, const std::string& name, hid_t type, hsize_t components,
+                        hsize_t chunk_rows) {
+  const std::string what = "make dataset " + name;
+  const int rank = components ? 2 : 1;
+  const std::array<hsize_t, 2> size = {0, components}, largest = {H5S_UNLIMITED, components},
+                               chunk = {chunk_rows, components};
+  Handle space(H5Screate_simple(rank, size.data(), largest.data()), H5Sclose, what);
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
+  check(H5Pset_chunk(properties, rank, chunk.data()), what);
+  check(H5Pset_fletcher32(properties), what);
+  Dataset result;
+  result.name_ = name;
+  result.dataset_ =
+      Handle(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, what);
+  result.transfer_ = transfer_properties(Checksums::ignore);
+  result.components_ = components;
+  result.chunk_rows_ = chunk_rows;
+  return result;
+}
+
+Dataset Dataset::open(hid_t parent, const std::string& name, Checksums checksums) {
+  const std::string what = "open dataset " + name;
+  Dataset result;
+  result.name_ = name;
+  result.dataset_ = Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+  result.transfer_ = transfer_properties(checksums);
+  Handle space(H5Dget_space(result.dataset_), H5Sclose, what);
+  Handle properties(H5Dget_create_plist(result.dataset_), H5Pclose, what);
+  std::array<hsize_t, 2> size{}, chunk{};
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 1 || rank > 2 || H5Pget_layout(properties) != H5D_CHUNKED)
+    throw std::runtime_error("cannot " + what + ": it is not a chunked table");
+  check(H5Sget_simple_extent_dims(space, size.data(), nullptr), what);
+  check(H5Pget_chunk(properties, rank, chunk.data()), what);
+  result.components_ = rank == 2 ? size[1] : 0;
+  result.chunk_rows_ = chunk[0];
+  return result;
+}
+
+hsize_t Dataset::rows() const {
+  std::array<hsize_t, 2> size{};
+  Handle space(H5Dget_space(dataset_), H5Sclose, "ask for the size of " + name_);
+  check(H5Sget_simple_extent_dims(space, size.data(), nullptr), "ask for the size of " + name_);
+  return size[0];
+}
+
+void Dataset::refresh() { check(H5Drefresh(dataset_), "refresh " + name_); }
+
+void Dataset::require_rows(hsize_t needed) const {
+  if (rows() < needed)
+    throw std::runtime_error("cannot keep " + std::to_string(needed) + " rows of " + name_ + ": it has " +
+                             std::to_string(rows()));
+}
+
+void Dataset::resize(hsize_t rows) {
+  const std::array<hsize_t, 2> size = {rows, components_};
+  check(H5Dset_extent(dataset_, size.data()), "resize " + name_);
+}
+
+Handle Dataset::select(hsize_t first, hsize_t count) const {
+  Handle space(H5Dget_space(dataset_), H5Sclose, "select rows of " + name_);
+  const std::array<hsize_t, 2> start = {first, 0}, size = {count, components_};
+  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
+        "select rows of " + name_);
+  return space;
+}
+
+Handle Dataset::memory_space(hsize_t count) const {
+  const std::array<hsize_t, 2> size = {count, components_};
+  return {H5Screate_simple(components_ ? 2 : 1, size.data(), nullptr), H5Sclose, "select rows of " + name_};
+}
+
+void Dataset::write(hsize_t first, hsize_t count, hid_t type, const void* values) {
+  if (count == 0) return;
+  if (rows() < first + count) resize(first + count);
+  check(H5Dwrite(dataset_, type, memory_space(count), select(first, count), transfer_, values), "write " + name_);
+}
+
+void Dataset::read(hsize_t first, hsize_t count, hid_t type, void* values) const {
+  if (count == 0) return;
+  check(H5Dread(dataset_, type, memory_space(count), select(first, count), transfer_, values), "read " + name_);
+}
+
+}  // namespace trajan::results

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "solver/results/handles.h"
+
+namespace trajan::results {
+
+/// A chunked dataset of rows that grows: (rows) or (rows, components).
+///
+/// Chunks that are not full yet are written again in place when rows are appended, and a kill may tear
+/// such a write. The bits of older rows are the same before and after, so they survive it; only the
+/// chunk's checksum is wrong until it is next written. Therefore a writer, and whoever reads a file that
+/// was not closed, goes without checksums (`Checksums::ignore`).
+class Dataset {
+ public:
+  enum class Checksums { verify, ignore };
+
+  /// `components` 0: one-dimensional. Chunks of `chunk_rows` rows, with checksums (fletcher32).
+  template <typename T>
+  static Dataset create(hid_t parent, const std::string& name, hsize_t components, hsize_t chunk_rows) {
+    return create(parent, name, stored_type<T>(), components, chunk_rows);
+  }
+  static Dataset open(hid_t parent, const std::string& name, Checksums checksums);
+
+  hsize_t rows() const;
+  hsize_t components() const { return components_; }
+  hid_t id() const { return dataset_; }
+
+  /// Rows first … first + count; grows the dataset as needed. `values` is row-major.
+  template <typename T>
+  void write(hsize_t first, std::span<const T> values) {
+    write(first, values.size() / width(), memory_type<T>(), values.data());
+  }
+  template <typename T>
+  void read(hsize_t first, std::span<T> values) const {
+    read(first, values.size() / width(), memory_type<T>(), values.data());
+  }
+  /// Drops the rows from `kept` on, and makes the checksum of the last chunk that stays right. Throws if
+  /// there are not that many rows.
+  template <typename T>
+  void cut(hsize_t kept) {
+    require_rows(kept);
+    const hsize_t chunk_start = kept / chunk_rows_ * chunk_rows_;
+    std::vector<T> last((kept - chunk_start) * width());
+    read<T>(chunk_start, last);
+    write<T>(chunk_start, last);
+    resize(kept);
+  }
+  /// Asks the file again what its writer has written since.
+  void refresh();
+
+ private:
+  static Dataset create(hid_t parent, const std::string& name, hid_t type, hsize_t components, hsize_t chunk_rows);
+  hsize_t width() const { return components_ ? components_ : 1; }
+  Handle select(hsize_t first, hsize_t count) const;
+  Handle memory_space(hsize_t count) const;
+  void require_rows(hsize_t rows) const;
+  void resize(hsize_t rows);
+  void write(hsize_t first, hsize_t count, hid_t type, const void* values);
+  void read(hsize_t first, hsize_t count, hid_t type, void* values) const;
+
+  std::string name_;
+  Handle dataset_;
+  Handle transfer_;
+  hsize_t components_ = 0;
+  hsize_t chunk_rows_ = 1;
+};
+
+}  // namespace trajan::results

@@ -1,0 +1,187 @@
+#include "solver/results/histories.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <stdexcept>
+
+namespace trajan::results {
+
+namespace {
+
+/// A row of /columns.
+struct ColumnPlace {
+  const char* column;
+  const char* dataset;
+  std::int64_t component;
+};
+
+Handle column_place_type() {
+  const std::string what = "describe the columns";
+  Handle type(H5Tcreate(H5T_COMPOUND, sizeof(ColumnPlace)), H5Tclose, what);
+  const Handle text = string_type();
+  check(H5Tinsert(type, "column", HOFFSET(ColumnPlace, column), text), what);
+  check(H5Tinsert(type, "dataset", HOFFSET(ColumnPlace, dataset), text), what);
+  check(H5Tinsert(type, "component", HOFFSET(ColumnPlace, component), H5T_NATIVE_INT64), what);
+  return type;
+}
+
+void write_places(hid_t file, const std::vector<ColumnPlace>& places) {
+  const std::string what = "write /columns";
+  const Handle type = column_place_type();
+  const hsize_t size = places.size();
+  Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, what);
+  Handle dataset(H5Dcreate2(file, "columns", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, what);
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, places.data()), what);
+}
+
+struct OwnedColumnPlace {
+  std::string column;
+  std::string dataset;
+  std::size_t component;
+};
+
+std::vector<OwnedColumnPlace> read_places(hid_t file) {
+  const std::string what = "read /columns";
+  const Handle type = column_place_type();
+  Handle dataset(H5Dopen2(file, "columns", H5P_DEFAULT), H5Dclose, what);
+  Handle space(H5Dget_space(dataset), H5Sclose, what);
+  const hssize_t size = H5Sget_simple_extent_npoints(space);
+  if (size < 0) throw std::runtime_error("cannot " + what);
+  std::vector<ColumnPlace> places(static_cast<std::size_t>(size));
+  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, places.data()), what);
+  std::vector<OwnedColumnPlace> owned;
+  for (const ColumnPlace& place : places)
+    owned.push_back({place.column ? place.column : "", place.dataset ? place.dataset : "",
+                     static_cast<std::size_t>(place.component)});
+  check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, places.data()), what);
+  return owned;
+}
+
+/// A chunk is written again with every commit until it is full, so it must not be large; a long history
+/// must not fall into too many.
+hsize_t rows_per_chunk(std::int64_t samples) {
+  return static_cast<hsize_t>(std::clamp<std::int64_t>(samples + 1, 16, 4096));
+}
+
+void link_time(hid_t file, const std::string& group) {
+  check(H5Lcreate_hard(file, "/time", file, (group + "/time").c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        "link " + group + "/time");
+}
+
+}  // namespace
+
+void Histories::add_table(hid_t file, const std::string& path, std::vector<std::string> components,
+                          hsize_t chunk_rows) {
+  Table table{path, Dataset::create<double>(file, path, components.size(), chunk_rows), {}};
+  const std::size_t width = std::max<std::size_t>(components.size(), 1);
+  const std::size_t first = tables_.empty() ? 0 : tables_.back().columns.back() + 1;
+  for (std::size_t c = 0; c < width; ++c) table.columns.push_back(first + c);
+  if (!components.empty()) set_attribute(table.data.id(), "components", components);
+  tables_.push_back(std::move(table));
+}
+
+Histories Histories::create(hid_t file, const Model& model) {
+  Histories histories;
+  histories.columns_ = history_columns(model);
+  const hsize_t chunk_rows = rows_per_chunk(model.outputs.samples);
+  histories.time_ = Dataset::create<double>(file, "time", 0, chunk_rows);
+  make_group(file, "probes");
+  for (const Probe& probe : model.outputs.probes) {
+    const std::string group = "/probes/" + probe.name;
+    make_group(file, group);
+    link_time(file, group);
+    for (Field field : probe.fields) {
+      std::vector<std::string> components;
+      for (std::string_view component : field_components(field)) components.emplace_back(component);
+      histories.add_table(file, group + "/" + std::string(field_name(field)), components, chunk_rows);
+    }
+  }
+  // What follows the probes is named "<group>.<column>".
+  std::string group;
+  for (std::size_t c = histories.tables_.empty() ? 0 : histories.tables_.back().columns.back() + 1;
+       c < histories.columns_.size(); ++c) {
+    const std::string& name = histories.columns_[c];
+    const std::size_t dot = name.find('.');
+    if (std::string this_group = std::string("/").append(name, 0, dot); this_group != group) {
+      group = std::move(this_group);
+      make_group(file, group);
+      link_time(file, group);
+    }
+    histories.add_table(file, group + "/" + name.substr(dot + 1), {}, chunk_rows);
+  }
+  std::vector<ColumnPlace> places;
+  for (const Table& table : histories.tables_)
+    for (std::size_t component = 0; component < table.columns.size(); ++component)
+      places.push_back({histories.columns_[table.columns[component]].c_str(), table.path.c_str(),
+                        static_cast<std::int64_t>(component)});
+  assert(places.size() == histories.columns_.size());
+  write_places(file, places);
+  return histories;
+}
+
+Histories Histories::open(hid_t file, Dataset::Checksums checksums) {
+  Histories histories;
+  histories.time_ = Dataset::open(file, "time", checksums);
+  std::map<std::string, std::size_t> table_of;
+  for (const OwnedColumnPlace& place : read_places(file)) {
+    const auto [entry, is_new] = table_of.try_emplace(place.dataset, histories.tables_.size());
+    if (is_new) {
+      Table table{place.dataset, Dataset::open(file, place.dataset, checksums), {}};
+      table.columns.resize(std::max<hsize_t>(table.data.components(), 1));
+      histories.tables_.push_back(std::move(table));
+    }
+    histories.tables_[entry->second].columns.at(place.component) = histories.columns_.size();
+    histories.columns_.push_back(place.column);
+  }
+  return histories;
+}
+
+void Histories::write_values(hsize_t first, std::span<const double> values) {
+  const std::size_t stride = columns_.size();
+  const std::size_t count = values.size() / stride;
+  std::vector<double> block;
+  for (Table& table : tables_) {
+    const std::size_t width = table.columns.size();
+    block.resize(count * width);
+    for (std::size_t row = 0; row < count; ++row)
+      for (std::size_t c = 0; c < width; ++c) block[row * width + c] = values[row * stride + table.columns[c]];
+    table.data.write<double>(first, block);
+  }
+}
+
+void Histories::cut(hsize_t rows) {
+  for (Table& table : tables_) table.data.cut<double>(rows);
+  time_.cut<double>(rows);
+}
+
+bool Histories::holds_any(const Table& table, std::span<const std::size_t> selected) const {
+  return std::any_of(selected.begin(), selected.end(), [&](std::size_t column) {
+    return std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end();
+  });
+}
+
+void Histories::refresh_values(std::span<const std::size_t> selected) {
+  for (Table& table : tables_)
+    if (holds_any(table, selected)) table.data.refresh();
+}
+
+void Histories::read(hsize_t first, hsize_t count, std::span<const std::size_t> selected,
+                     std::vector<double>& time, std::vector<double>& values) const {
+  time.resize(count);
+  time_.read<double>(first, time);
+  values.resize(count * selected.size());
+  std::vector<double> block;
+  for (const Table& table : tables_) {
+    if (!holds_any(table, selected)) continue;
+    const std::size_t width = table.columns.size();
+    block.resize(count * width);
+    table.data.read<double>(first, block);
+    for (std::size_t s = 0; s < selected.size(); ++s)
+      for (std::size_t c = 0; c < width; ++c)
+        if (table.columns[c] == selected[s])
+          for (std::size_t row = 0; row < count; ++row) values[row * selected.size() + s] = block[row * width + c];
+  }
+}
+
+}  // namespace trajan::results

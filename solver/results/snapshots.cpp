@@ -1,0 +1,220 @@
+#include "solver/results/snapshots.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <functional>
+#include <stdexcept>
+
+namespace trajan::results {
+
+namespace {
+
+constexpr hsize_t rows_per_chunk = 16384;
+constexpr hsize_t steps_per_chunk = 128;
+constexpr std::array<const char*, 4> topologies = {"Vertices", "Lines", "Polygons", "Strips"};
+constexpr std::array<std::string_view, 3> vector_components = {"x", "y", "z"};
+constexpr std::array<std::string_view, 6> tensor_components = {"xx", "yy", "zz", "xy", "yz", "xz"};
+
+/// The datasets of Steps beside Values: one integer row per snapshot, telling where its data begin.
+struct Offsets {
+  std::string name;
+  hsize_t components;
+  bool advances;  ///< by the number of particles per snapshot; otherwise zero: stored once for all
+};
+
+std::vector<Field> stored_fields(const Model& model) {
+  std::vector<Field> fields = {Field::velocity};
+  for (Field field : model.outputs.snapshot_fields)
+    if (field != Field::position && field != Field::velocity) fields.push_back(field);
+  return fields;
+}
+
+std::vector<Offsets> offsets_of(const Model& model) {
+  std::vector<Offsets> offsets = {{"PartOffsets", 0, false},
+                                  {"PointOffsets", 0, true},
+                                  {"CellOffsets", topologies.size(), false},
+                                  {"ConnectivityIdOffsets", topologies.size(), false},
+                                  {"PointDataOffsets/particle_number", 0, false},
+                                  {"PointDataOffsets/body", 0, false}};
+  for (Field field : stored_fields(model))
+    offsets.push_back({"PointDataOffsets/" + std::string(field_name(field)), 0, true});
+  return offsets;
+}
+
+std::span<const std::string_view> stored_components(Field field) {
+  if (field == Field::stress) return tensor_components;
+  return vector_components;
+}
+
+hsize_t chunk_for(hsize_t rows) { return std::clamp<hsize_t>(rows, 1, rows_per_chunk); }
+
+/// Stores value(0), …, value(count - 1), a chunk at a time.
+template <typename T>
+void write_constant(hid_t group, const std::string& name, hsize_t count, const std::function<T(hsize_t)>& value) {
+  Dataset data = Dataset::create<T>(group, name, 0, chunk_for(count));
+  std::vector<T> block;
+  for (hsize_t first = 0; first < count; first += block.size()) {
+    block.resize(std::min(rows_per_chunk, count - first));
+    for (hsize_t i = 0; i < block.size(); ++i) block[i] = value(first + i);
+    data.write<T>(first, block);
+  }
+}
+
+void write_topology(hid_t vtk, const std::string& name, hsize_t cells) {
+  const Handle group = make_group(vtk, name);
+  const auto identity = [](hsize_t i) { return static_cast<std::int64_t>(i); };
+  const auto size = [&](hsize_t) { return static_cast<std::int64_t>(cells); };
+  write_constant<std::int64_t>(group, "NumberOfCells", 1, size);
+  write_constant<std::int64_t>(group, "NumberOfConnectivityIds", 1, size);
+  write_constant<std::int64_t>(group, "Connectivity", cells, identity);
+  write_constant<std::int64_t>(group, "Offsets", cells + 1, identity);
+}
+
+void write_type(hid_t vtk) {
+  const std::string what = "write attribute Type", type_name = "PolyData";
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, what);
+  check(H5Tset_size(type, type_name.size()), what);
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), what);
+  Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, what);
+  Handle attribute(H5Acreate2(vtk, "Type", type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, what);
+  check(H5Awrite(attribute, type, type_name.data()), what);
+}
+
+void write_version(hid_t vtk) {
+  const std::string what = "write attribute Version";
+  const std::array<std::int64_t, 2> version = {2, 0};
+  const hsize_t size = version.size();
+  Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, what);
+  Handle attribute(H5Acreate2(vtk, "Version", stored_type<std::int64_t>(), space, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Aclose, what);
+  check(H5Awrite(attribute, memory_type<std::int64_t>(), version.data()), what);
+}
+
+void write_identities(hid_t point_data, const Model& model) {
+  const hsize_t particles = static_cast<hsize_t>(model.particle_count());
+  write_constant<std::int64_t>(point_data, "particle_number", particles,
+                               [](hsize_t i) { return static_cast<std::int64_t>(i); });
+  write_constant<std::int32_t>(point_data, "body", particles, [&](hsize_t i) {
+    const auto next =
+        std::upper_bound(model.bodies.begin(), model.bodies.end(), static_cast<std::int64_t>(i),
+                         [](std::int64_t number, const Body& body) { return number < body.first_particle; });
+    return static_cast<std::int32_t>(next - model.bodies.begin()) - 1;
+  });
+  std::vector<std::string> names;
+  for (const Body& body : model.bodies) names.push_back(body.name);
+  Handle data(H5Dopen2(point_data, "body", H5P_DEFAULT), H5Dclose, "open dataset body");
+  set_attribute(data, "names", names);
+}
+
+}  // namespace
+
+Snapshots Snapshots::create(hid_t file, const Model& model) {
+  Snapshots snapshots;
+  snapshots.particles_ = static_cast<hsize_t>(model.particle_count());
+  const Handle vtk = make_group(file, "VTKHDF");
+  write_version(vtk);
+  write_type(vtk);
+  write_constant<std::int64_t>(vtk, "NumberOfPoints", 1, [&](hsize_t) { return model.particle_count(); });
+  for (const char* name : topologies) write_topology(vtk, name, name == topologies[0] ? snapshots.particles_ : 0);
+  snapshots.points_ = Dataset::create<double>(vtk, "Points", 3, chunk_for(snapshots.particles_));
+
+  const Handle point_data = make_group(vtk, "PointData");
+  write_identities(point_data, model);
+  snapshots.field_kinds_ = stored_fields(model);
+  for (Field field : snapshots.field_kinds_) {
+    const auto components = stored_components(field);
+    snapshots.fields_.push_back(Dataset::create<double>(point_data, std::string(field_name(field)),
+                                                        components.size(), chunk_for(snapshots.particles_)));
+    set_attribute(snapshots.fields_.back().id(), "components",
+                  std::vector<std::string>(components.begin(), components.end()));
+  }
+
+  snapshots.steps_ = make_group(vtk, "Steps");
+  make_group(snapshots.steps_, "PointDataOffsets");
+  for (const Offsets& offsets : offsets_of(model)) {
+    snapshots.offsets_.push_back(
+        Dataset::create<std::int64_t>(snapshots.steps_, offsets.name, offsets.components, steps_per_chunk));
+    snapshots.advances_.push_back(offsets.advances);
+  }
+  snapshots.parts_ = Dataset::create<std::int64_t>(snapshots.steps_, "NumberOfParts", 0, steps_per_chunk);
+  snapshots.times_ = Dataset::create<double>(snapshots.steps_, "Values", 0, steps_per_chunk);
+  set_attribute(snapshots.steps_, "NSteps", std::int64_t{0});
+  return snapshots;
+}
+
+Snapshots Snapshots::open(hid_t file, const Model& model) {
+  constexpr auto ignore = Dataset::Checksums::ignore;
+  Snapshots snapshots;
+  snapshots.particles_ = static_cast<hsize_t>(model.particle_count());
+  const Handle vtk = open_group(file, "VTKHDF");
+  snapshots.points_ = Dataset::open(vtk, "Points", ignore);
+  snapshots.field_kinds_ = stored_fields(model);
+  for (Field field : snapshots.field_kinds_)
+    snapshots.fields_.push_back(Dataset::open(vtk, "PointData/" + std::string(field_name(field)), ignore));
+  snapshots.steps_ = open_group(vtk, "Steps");
+  for (const Offsets& offsets : offsets_of(model)) {
+    snapshots.offsets_.push_back(Dataset::open(snapshots.steps_, offsets.name, ignore));
+    snapshots.advances_.push_back(offsets.advances);
+  }
+  snapshots.parts_ = Dataset::open(snapshots.steps_, "NumberOfParts", ignore);
+  snapshots.times_ = Dataset::open(snapshots.steps_, "Values", ignore);
+  return snapshots;
+}
+
+hsize_t Snapshots::count() const {
+  return std::min(times_.rows(), static_cast<hsize_t>(integer_attribute(steps_, "NSteps")));
+}
+
+void Snapshots::write_field(hsize_t index, Dataset& data, std::span<const std::string_view> components,
+                            std::span<const double> values) {
+  const bool tensor = data.components() == tensor_components.size();
+  const std::span<const std::string_view> stored =
+      tensor ? std::span<const std::string_view>(tensor_components) : vector_components;
+  std::vector<std::size_t> places;
+  for (std::string_view component : components)
+    places.push_back(std::find(stored.begin(), stored.end(), component) - stored.begin());
+  assert(values.size() == particles_ * components.size());
+  std::vector<double> block;
+  for (hsize_t first = 0; first < particles_; first += rows_per_chunk) {
+    const hsize_t count = std::min(rows_per_chunk, particles_ - first);
+    block.assign(count * stored.size(), 0.0);
+    for (hsize_t p = 0; p < count; ++p)
+      for (std::size_t c = 0; c < places.size(); ++c)
+        block[p * stored.size() + places[c]] = values[(first + p) * places.size() + c];
+    data.write<double>(index * particles_ + first, block);
+  }
+}
+
+void Snapshots::write_arrays(hsize_t index, const Snapshot& snapshot) {
+  const std::span<const std::string_view> plane = std::span(vector_components).first(2);
+  write_field(index, points_, plane, snapshot.position);
+  write_field(index, fields_[0], plane, snapshot.velocity);
+  for (std::size_t f = 1; f < fields_.size(); ++f) {
+    const auto found = std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
+                                    [&](const auto& field) { return field.first == field_kinds_[f]; });
+    assert(found != snapshot.fields.end());
+    write_field(index, fields_[f], field_components(field_kinds_[f]), found->second);
+  }
+  for (std::size_t o = 0; o < offsets_.size(); ++o) {
+    const std::vector<std::int64_t> row(std::max<hsize_t>(offsets_[o].components(), 1),
+                                        advances_[o] ? static_cast<std::int64_t>(index * particles_) : 0);
+    offsets_[o].write<std::int64_t>(index, row);
+  }
+  parts_.write<std::int64_t>(index, std::array{std::int64_t{1}});
+}
+
+void Snapshots::write_time(hsize_t index, double time) { times_.write<double>(index, std::array{time}); }
+
+void Snapshots::write_count(hsize_t count) { set_attribute(steps_, "NSteps", static_cast<std::int64_t>(count)); }
+
+void Snapshots::cut(hsize_t count) {
+  write_count(count);
+  times_.cut<double>(count);
+  parts_.cut<std::int64_t>(count);
+  for (Dataset& offsets : offsets_) offsets.cut<std::int64_t>(count);
+  for (Dataset& field : fields_) field.cut<double>(count * particles_);
+  points_.cut<double>(count * particles_);
+}
+
+}  // namespace trajan::results

@@ -1,0 +1,204 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "solver/results/digest.h"
+#include "solver/results/handles.h"
+#include "tests/unit/results/rehearsal.h"
+
+namespace trajan::results {
+namespace {
+
+using namespace rehearsal;
+
+std::vector<std::size_t> all_columns(const HistoryReader& reader) {
+  std::vector<std::size_t> all(reader.columns().size());
+  for (std::size_t c = 0; c < all.size(); ++c) all[c] = c;
+  return all;
+}
+
+TEST(Results, ThisHdf5LibraryMayBeCalledByManyThreads) {
+  hbool_t safe = false;
+  ASSERT_GE(H5is_library_threadsafe(&safe), 0);
+  EXPECT_TRUE(safe);
+}
+
+TEST(Results, HistoriesComeBackAsTheyWereRecorded) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(100, 0);
+  run_to_end(directory.path(), model);
+  const auto reader = HistoryReader::open(directory.path());
+  EXPECT_EQ(reader->columns(), history_columns(model));
+  EXPECT_EQ(reader->rows(), 101);
+  std::vector<double> time, values;
+  const std::vector<std::size_t> all = all_columns(*reader);
+  reader->read(0, 1000, all, time, values);
+  ASSERT_EQ(time.size(), 101u);
+  for (std::size_t row = 0; row < time.size(); ++row) {
+    EXPECT_EQ(time[row], time_of(model, static_cast<std::int64_t>(row)));
+    for (std::size_t c : all)
+      ASSERT_EQ(values[row * all.size() + c], column_value(static_cast<std::int64_t>(row), c));
+  }
+}
+
+TEST(Results, SelectedColumnsComeInTheOrderOfTheSelection) {
+  const TemporaryDirectory directory;
+  run_to_end(directory.path(), make_model(20, 0));
+  const auto reader = HistoryReader::open(directory.path());
+  std::vector<double> time, values;
+  const std::vector<std::size_t> selected = {6, 1, 9};
+  reader->read(18, 10, selected, time, values);
+  ASSERT_EQ(time.size(), 3u);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t s = 0; s < 3; ++s)
+      EXPECT_EQ(values[row * 3 + s], column_value(18 + static_cast<std::int64_t>(row), selected[s]));
+  reader->read(50, 10, selected, time, values);
+  EXPECT_TRUE(time.empty());
+}
+
+TEST(Results, AFinishedFileHasItsDigestAndLeavesNothingElse) {
+  const TemporaryDirectory directory;
+  const FinishedFile finished = run_to_end(directory.path(), make_model(20, 4));
+  EXPECT_TRUE(finished.complete);
+  EXPECT_EQ(finished.path, directory.path() / result_name);
+  EXPECT_EQ(finished.size, static_cast<std::int64_t>(std::filesystem::file_size(finished.path)));
+  EXPECT_EQ(finished.sha256, sha256_of_file(finished.path));
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory.path())) ++files;
+  EXPECT_EQ(files, 1u);
+}
+
+TEST(Results, TheDigestIsThatOfTheStandardsExample) {
+  // FIPS 180-2, appendix B.1.
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(Results, AFinishedRunIsFoundWithItsMeasures) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(20, 4);
+  EXPECT_FALSE(finished_run(directory.path(), provenance()));
+  const FinishedFile finished = run_to_end(directory.path(), model);
+  const std::optional<FinishedRun> found = finished_run(directory.path(), provenance());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->status, Status::succeeded);
+  EXPECT_EQ(found->file.sha256, finished.sha256);
+  ASSERT_EQ(found->measures.size(), model.measures.size());
+  EXPECT_EQ(found->measures[0].source, "a handbook, §1");
+  EXPECT_EQ(found->measures[0].error, measure_values(model)[0].error);
+  EXPECT_FALSE(found->measures[1].exact);
+  Provenance other = provenance();
+  other.solver_version = "1.2.4";
+  EXPECT_FALSE(finished_run(directory.path(), other));
+}
+
+TEST(Results, ADivergedRunKeepsItsRowsAndSaysWhy) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(20, 4);
+  {
+    const auto writer = ResultWriter::open(directory.path(), model, provenance());
+    Plan plan;
+    plan.stop_after_row = 12;
+    record(*writer, model, plan);
+    const FinishedFile finished =
+        writer->finish(Status::diverged, {}, Divergence{123, 0.5, 17, "det F <= 0", "a smaller step"});
+    EXPECT_FALSE(finished.complete);
+  }
+  const std::optional<FinishedRun> found = finished_run(directory.path(), provenance());
+  ASSERT_TRUE(found && found->divergence);
+  EXPECT_EQ(found->divergence->step, 123);
+  EXPECT_EQ(found->divergence->particle, 17);
+  EXPECT_EQ(found->divergence->cause, "det F <= 0");
+  EXPECT_EQ(found->divergence->remedy, "a smaller step");
+  EXPECT_TRUE(found->measures.empty());
+  EXPECT_EQ(HistoryReader::open(directory.path())->rows(), 13);
+}
+
+TEST(Results, TheWriterReadsBackWhatItRecordedAlsoAfterAResume) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(20, 4);
+  {
+    const auto writer = ResultWriter::open(directory.path(), model, provenance());
+    Plan plan;
+    plan.stop_after_row = 17;
+    record(*writer, model, plan);
+    writer->suspend();
+  }
+  const auto writer = ResultWriter::open(directory.path(), model, provenance());
+  EXPECT_EQ(writer->durable_rows(), 15);
+  record(*writer, model);
+  std::vector<double> time, values;
+  writer->histories(time, values);
+  ASSERT_EQ(time.size(), 21u);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t columns = history_columns(model).size();
+    ASSERT_EQ(values[i], column_value(static_cast<std::int64_t>(i / columns), i % columns));
+  }
+}
+
+TEST(Results, ASuspendedAndResumedRunEqualsAnUndisturbedOne) {
+  const TemporaryDirectory undisturbed, disturbed;
+  const Model model = make_model(60, 12);
+  run_to_end(undisturbed.path(), model);
+  for (std::int64_t stop : {0, 3, 7, 20, 21, 34, 35, 59}) {
+    const auto writer = ResultWriter::open(disturbed.path(), model, provenance(), std::chrono::milliseconds(0));
+    Plan plan;
+    plan.stop_after_row = stop;
+    record(*writer, model, plan);
+    writer->suspend();
+  }
+  run_to_end(disturbed.path(), model);
+  EXPECT_EQ(difference(undisturbed.path() / result_name, disturbed.path() / result_name), "");
+}
+
+TEST(Results, ARunThatEndsEarlierThanItsInterruptedPredecessorHasNoRowsOfIt) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(60, 12);
+  {
+    const auto writer = ResultWriter::open(directory.path(), model, provenance());
+    Plan plan;
+    plan.samples_per_checkpoint = 30;
+    plan.stop_after_row = 57;
+    record(*writer, model, plan);
+    writer->suspend();
+  }
+  {
+    const auto writer = ResultWriter::open(directory.path(), model, provenance());
+    Plan plan;
+    plan.stop_after_row = 33;
+    record(*writer, model, plan);
+    writer->finish(Status::cancelled, {}, {});
+  }
+  const Handle file = open_file(directory.path() / result_name, Access::read_closed);
+  EXPECT_EQ(HistoryReader::open(directory.path())->rows(), 34);
+  EXPECT_EQ(integer_attribute(open_group(file, "VTKHDF/Steps"), "NSteps"), 7);  // samples 0, 5, …, 30
+}
+
+TEST(Results, TwoWritersNeverShareADirectory) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(20, 4);
+  const auto writer = ResultWriter::open(directory.path(), model, provenance());
+  EXPECT_THROW(ResultWriter::open(directory.path(), model, provenance()), std::runtime_error);
+}
+
+TEST(Results, ReadingWhereNothingIsSaysWhichFileIsMissing) {
+  const TemporaryDirectory directory;
+  try {
+    HistoryReader::open(directory.path());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(partial_name), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("No such file"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Results, TheXdmfFileNamesEverySnapshotsTime) {
+  const TemporaryDirectory directory;
+  const FinishedFile finished = run_to_end(directory.path(), make_model(20, 4));
+  std::ifstream file(write_xdmf(finished.path));
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  for (const char* time : {"0", "0.5", "1", "1.5", "2"})
+    EXPECT_NE(text.find(std::string("<Time Value=\"").append(time).append("\"/>")), std::string::npos) << time;
+}
+
+}  // namespace
+}  // namespace trajan::results
