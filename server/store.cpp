@@ -34,9 +34,7 @@ constexpr const char* schema = R"sql(
 )sql";
 
 /// WAL: readers and the writer do not wait for each other. FULL: a commit is on disk before it returns.
-void configure(Database& database) {
-  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;");
-}
+void configure(Database& database) { database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"); }
 
 void bring_to_present_schema(Database& database) {
   std::int64_t version = 0;
@@ -63,21 +61,27 @@ Store::Store(const std::filesystem::path& file) : writer_(file), reader_(file) {
   thread_ = std::thread([this] { write_until_closed(); });
 }
 
-Store::~Store() {
+Store::~Store() { close(); }
+
+void Store::close() {
   {
     const std::lock_guard lock(mutex_);
     closed_ = true;
   }
   wake_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void Store::commit(Change change, Done done) {
   {
     const std::lock_guard lock(mutex_);
-    pending_.push_back({std::move(change), std::move(done), nullptr});
+    if (!closed_) {
+      pending_.push_back({std::move(change), std::move(done), nullptr});
+      wake_.notify_all();
+      return;
+    }
   }
-  wake_.notify_all();
+  done(std::make_exception_ptr(std::runtime_error("the store is closed")));
 }
 
 void Store::commit(Change change) {

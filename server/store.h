@@ -28,6 +28,9 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
+  /// Finishes what was committed and refuses what comes later. Called by the destructor too.
+  void close();
+
   /// Returns at once. `done` runs on the writer thread after the commit and must not wait for another
   /// commit. A change that throws is undone alone.
   void commit(Change change, Done done);
