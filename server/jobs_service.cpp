@@ -1,0 +1,166 @@
+#include "server/jobs_service.h"
+
+#include "server/convert.h"
+#include "server/history_stream.h"
+#include "server/log.h"
+#include "server/result_stream.h"
+#include "server/status.h"
+#include "server/store_jobs.h"
+#include "server/watch_stream.h"
+
+namespace trajan {
+
+namespace {
+
+/// Throws ServiceError INVALID_ARGUMENT with all violations as details.
+void require_valid(const v1::Scene& scene) {
+  try {
+    validate(to_scene(scene));
+  } catch (const InvalidScene& invalid) {
+    ServiceError error(grpc::StatusCode::INVALID_ARGUMENT, "INVALID_SCENE", invalid.what());
+    for (const Violation& violation : invalid.violations()) {
+      *error.details().add_violations() = to_proto(violation);
+    }
+    throw error;
+  }
+}
+
+/// Histories with their times, and snapshots of doubles: three position components and what is asked for.
+std::int64_t estimate_result_bytes(const Model& model) {
+  const OutputPlan& outputs = model.outputs;
+  const auto columns = std::ssize(history_columns(model)) + 1;
+  const std::int64_t snapshots =
+      outputs.samples_per_snapshot == 0 ? 0 : outputs.samples / outputs.samples_per_snapshot + 1;
+  std::int64_t components = 6;
+  for (const Field field : outputs.snapshot_fields) components += std::ssize(field_components(field));
+  return static_cast<std::int64_t>(sizeof(double)) *
+         ((outputs.samples + 1) * columns + snapshots * model.particle_count() * components);
+}
+
+void check_scene(const v1::Scene& scene, v1::CheckSceneResponse& response) {
+  try {
+    const Model model = validate(to_scene(scene));
+    *response.mutable_plan() = to_proto(plan(model));
+    response.mutable_plan()->set_result_bytes(estimate_result_bytes(model));
+  } catch (const InvalidScene& invalid) {
+    for (const Violation& violation : invalid.violations()) *response.add_violations() = to_proto(violation);
+  }
+}
+
+}  // namespace
+
+JobsService::JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, std::filesystem::path jobs_directory)
+    : store_(store), hub_(hub), scheduler_(scheduler), jobs_directory_(std::move(jobs_directory)) {}
+
+grpc::ServerUnaryReactor* JobsService::CheckScene(grpc::CallbackServerContext* context,
+                                                  const v1::CheckSceneRequest* request,
+                                                  v1::CheckSceneResponse* response) {
+  auto* reactor = context->DefaultReactor();
+  checks_.post([=] { answer(*context, *reactor, [&] { check_scene(request->scene(), *response); }); });
+  return reactor;
+}
+
+grpc::ServerUnaryReactor* JobsService::SubmitJob(grpc::CallbackServerContext* context,
+                                                 const v1::SubmitJobRequest* request, v1::Job* response) {
+  auto* reactor = context->DefaultReactor();
+  const auto commit = [=, this] {
+    store_.commit(
+        [=](store::Database& database) { *response = store::submit(database, *request); },
+        [=, this](std::exception_ptr error) {
+          if (!error) {
+            logging::info("job submitted", {{"job", response->job_id()}, {"scene", response->scene_name()}});
+            scheduler_.assign();
+          }
+          reactor->Finish(to_status(*context, error));
+        });
+  };
+  checks_.post([=, this] {
+    try {
+      if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
+      require_valid(request->scene());
+      commit();
+    } catch (...) {
+      reactor->Finish(to_status(*context, std::current_exception()));
+    }
+  });
+  return reactor;
+}
+
+grpc::ServerUnaryReactor* JobsService::GetJob(grpc::CallbackServerContext* context,
+                                              const v1::GetJobRequest* request, v1::Job* response) {
+  auto* reactor = context->DefaultReactor();
+  readers_.post([=, this] {
+    answer(*context, *reactor, [&] {
+      const std::int64_t job = store::job_number(request->job_id());
+      store_.read([&](store::Database& database) {
+        *response = store::get_job(database, job);
+        if (request->with_scene()) *response->mutable_scene() = store::get_scene(database, job);
+      });
+    });
+  });
+  return reactor;
+}
+
+grpc::ServerUnaryReactor* JobsService::ListJobs(grpc::CallbackServerContext* context,
+                                                const v1::ListJobsRequest* request,
+                                                v1::ListJobsResponse* response) {
+  auto* reactor = context->DefaultReactor();
+  readers_.post([=, this] {
+    answer(*context, *reactor, [&] {
+      *response = store_.read([&](store::Database& database) { return store::list_jobs(database, *request); });
+    });
+  });
+  return reactor;
+}
+
+grpc::ServerUnaryReactor* JobsService::CancelJob(grpc::CallbackServerContext* context,
+                                                 const v1::CancelJobRequest* request, v1::Job* response) {
+  auto* reactor = context->DefaultReactor();
+  store_.commit(
+      [=](store::Database& database) {
+        *response = store::cancel(database, store::job_number(request->job_id()), request->reason());
+      },
+      [=, this](std::exception_ptr error) {
+        if (!error) {
+          const std::int64_t job = store::job_number(response->job_id());
+          if (response->state() == v1::CANCELLING) scheduler_.cancel(job);
+          hub_.publish(job);
+        }
+        reactor->Finish(to_status(*context, error));
+      });
+  return reactor;
+}
+
+grpc::ServerUnaryReactor* JobsService::DeleteJob(grpc::CallbackServerContext* context,
+                                                 const v1::DeleteJobRequest* request, v1::DeleteJobResponse*) {
+  auto* reactor = context->DefaultReactor();
+  checks_.post([=, this] {
+    answer(*context, *reactor, [&] {
+      const std::int64_t job = store::job_number(request->job_id());
+      store_.commit([&](store::Database& database) { store::remove_job(database, job); });
+      std::filesystem::remove_all(jobs_directory_ / std::to_string(job));
+      hub_.publish(job);
+    });
+  });
+  return reactor;
+}
+
+grpc::ServerWriteReactor<v1::WatchJobResponse>* JobsService::WatchJob(grpc::CallbackServerContext* context,
+                                                                      const v1::WatchJobRequest* request) {
+  return start_or_refuse<v1::WatchJobResponse>(
+      *context, [&] { return watch_job(context, *request, store_, hub_, readers_); });
+}
+
+grpc::ServerWriteReactor<v1::StreamHistoryResponse>* JobsService::StreamHistory(
+    grpc::CallbackServerContext* context, const v1::StreamHistoryRequest* request) {
+  return start_or_refuse<v1::StreamHistoryResponse>(
+      *context, [&] { return stream_history(context, *request, store_, hub_, histories_, jobs_directory_); });
+}
+
+grpc::ServerWriteReactor<v1::ReadResultResponse>* JobsService::ReadResult(grpc::CallbackServerContext* context,
+                                                                          const v1::ReadResultRequest* request) {
+  return start_or_refuse<v1::ReadResultResponse>(
+      *context, [&] { return read_result(context, *request, store_, hub_, readers_, jobs_directory_); });
+}
+
+}  // namespace trajan

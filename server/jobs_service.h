@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+
+#include "server/hub.h"
+#include "server/schedule.h"
+#include "server/store.h"
+#include "server/task_queue.h"
+#include "trajan/v1/jobs.grpc.pb.h"
+
+namespace trajan {
+
+/// The public API. Handlers hand their work to the task queues, the store or the scheduler and return;
+/// no thread of gRPC waits for anything.
+class JobsService final : public v1::Jobs::CallbackService {
+ public:
+  JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, std::filesystem::path jobs_directory);
+
+  /// Refuses new jobs from now on.
+  void drain() { draining_ = true; }
+
+  grpc::ServerUnaryReactor* CheckScene(grpc::CallbackServerContext* context, const v1::CheckSceneRequest* request,
+                                       v1::CheckSceneResponse* response) override;
+  grpc::ServerUnaryReactor* SubmitJob(grpc::CallbackServerContext* context, const v1::SubmitJobRequest* request,
+                                      v1::Job* response) override;
+  grpc::ServerUnaryReactor* GetJob(grpc::CallbackServerContext* context, const v1::GetJobRequest* request,
+                                   v1::Job* response) override;
+  grpc::ServerUnaryReactor* ListJobs(grpc::CallbackServerContext* context, const v1::ListJobsRequest* request,
+                                     v1::ListJobsResponse* response) override;
+  grpc::ServerUnaryReactor* CancelJob(grpc::CallbackServerContext* context, const v1::CancelJobRequest* request,
+                                      v1::Job* response) override;
+  grpc::ServerUnaryReactor* DeleteJob(grpc::CallbackServerContext* context, const v1::DeleteJobRequest* request,
+                                      v1::DeleteJobResponse* response) override;
+  grpc::ServerWriteReactor<v1::WatchJobResponse>* WatchJob(grpc::CallbackServerContext* context,
+                                                           const v1::WatchJobRequest* request) override;
+  grpc::ServerWriteReactor<v1::StreamHistoryResponse>* StreamHistory(
+      grpc::CallbackServerContext* context, const v1::StreamHistoryRequest* request) override;
+  grpc::ServerWriteReactor<v1::ReadResultResponse>* ReadResult(grpc::CallbackServerContext* context,
+                                                               const v1::ReadResultRequest* request) override;
+
+ private:
+  store::Store& store_;
+  Hub& hub_;
+  Scheduler& scheduler_;
+  const std::filesystem::path jobs_directory_;
+  std::atomic<bool> draining_ = false;
+  TaskQueue checks_{2};     ///< validation of scenes, removal of files
+  TaskQueue readers_{2};    ///< short reads of the store and of finished files
+  TaskQueue histories_{1};  ///< reads through the result file's library, which works for one at a time
+};
+
+}  // namespace trajan

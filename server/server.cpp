@@ -1,0 +1,135 @@
+#include "server/server.h"
+
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/security/server_credentials.h>
+#include <grpcpp/server_builder.h>
+
+#include <csignal>
+
+#include "server/address.h"
+#include "server/log.h"
+#include "server/store_jobs.h"
+
+namespace trajan {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+ScheduleOptions with_jobs_directory(ScheduleOptions schedule, const StateDirectory& state) {
+  schedule.jobs_directory = std::filesystem::absolute(state.jobs());
+  return schedule;
+}
+
+void configure(grpc::ServerBuilder& builder) {
+  constexpr int largest_request = 16 << 20;
+  builder.SetMaxReceiveMessageSize(largest_request);
+  builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, 1000);
+  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
+}
+
+}  // namespace
+
+Server::Server(ServeOptions options)
+    : options_(std::move(options)),
+      state_(options_.state),
+      store_(state_.database()),
+      pool_(options_.workers,
+            [this](const std::string& worker, const std::string& how) { scheduler_.worker_lost(worker, how); }),
+      scheduler_(with_jobs_directory(options_.schedule, state_), store_, hub_, pool_),
+      jobs_(store_, hub_, scheduler_, std::filesystem::absolute(state_.jobs())),
+      workers_(scheduler_) {
+  if (options_.listen.empty()) options_.listen = {"unix:" + std::filesystem::absolute(state_.socket()).string()};
+  for (const std::string& address : options_.listen) require_local(address);
+  remove_orphaned_directories();
+  scheduler_.recover();
+  listen();
+  start_workers();
+  clock_ = std::jthread([this](const std::stop_token& stop) { keep_time(stop); });
+}
+
+/// Directories whose job was deleted just before a crash.
+void Server::remove_orphaned_directories() {
+  for (const auto& entry : std::filesystem::directory_iterator(state_.jobs())) {
+    const std::string name = entry.path().filename().string();
+    const bool known =
+        store_.read([&](store::Database& database) { return store::exists(database, store::job_number(name)); });
+    if (!known) std::filesystem::remove_all(entry.path());
+  }
+}
+
+void Server::listen() {
+  grpc::EnableDefaultHealthCheckService(true);
+  grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+  grpc::ServerBuilder builder;
+  configure(builder);
+  std::vector<int> ports(options_.listen.size());
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    builder.AddListeningPort(options_.listen[i], grpc::InsecureServerCredentials(), &ports[i]);
+  }
+  builder.RegisterService(&jobs_);
+  builder.RegisterService(&workers_);
+  server_ = builder.BuildAndStart();
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    if (!server_ || ports[i] == 0) throw std::runtime_error("cannot listen on " + options_.listen[i]);
+    addresses_.push_back(with_port(options_.listen[i], ports[i]));
+  }
+  server_->GetHealthCheckService()->SetServingStatus(v1::Jobs::service_full_name(), true);
+}
+
+void Server::start_workers() {
+  pool_.start({"/proc/self/exe", "work", "--server", addresses_[0], "--threads",
+               std::to_string(options_.threads_per_worker), "--log-level", options_.log_level});
+}
+
+void Server::keep_time(const std::stop_token& stop) {
+  constexpr auto tick = std::chrono::milliseconds(100);
+  constexpr auto heartbeat = std::chrono::seconds(5);
+  Clock::time_point next_heartbeat = Clock::now() + heartbeat;
+  while (!stop.stop_requested()) {
+    const auto now = Clock::now();
+    pool_.tick(now);
+    scheduler_.tick(now);
+    if (now >= next_heartbeat) {
+      hub_.wake_all();
+      next_heartbeat = now + heartbeat;
+    }
+    std::this_thread::sleep_for(tick);
+  }
+}
+
+void Server::drain() {
+  logging::info("draining");
+  server_->GetHealthCheckService()->SetServingStatus(false);
+  jobs_.drain();
+  scheduler_.drain();
+  pool_.stop(SIGTERM);
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(options_.drain_seconds));
+  while ((scheduler_.active() > 0 || pool_.alive() > 0) && Clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  pool_.stop(SIGKILL);
+  stop_listening();
+}
+
+void Server::stop_listening() {
+  hub_.end_all();
+  server_->Shutdown(std::chrono::system_clock::now() + std::chrono::seconds(2));
+  server_->Wait();
+}
+
+Server::~Server() {
+  clock_.request_stop();
+  if (clock_.joinable()) clock_.join();
+  if (server_) stop_listening();
+  store_.close();
+}
+
+}  // namespace trajan
