@@ -4,19 +4,25 @@
 #include <limits>
 #include <sstream>
 
+#include "solver/schemes/schemes.h"
+
 namespace trajan {
+
+double stable_time_step(const Model& model, double wave_speed, double particle_speed) {
+  // A wave along the diagonal of a square cell sees the stiffness of both axes: sqrt(2).
+  const double advection = find_scheme(model.numerics.scheme)->total_lagrangian ? 0.0 : particle_speed;
+  return model.grid.cell / (std::sqrt(2.0) * wave_speed + advection);
+}
 
 TimeStepLimit time_step_limit(const Model& model) {
   TimeStepLimit limit{std::numeric_limits<double>::infinity(), ""};
   for (const Material& material : model.materials) {
     const double speed = material.kind->wave_speed(material.parameters, material.density, model.dimension);
-    // A wave along the diagonal of a square cell sees the stiffness of both axes: sqrt(2).
-    const double step = model.grid.cell / (std::sqrt(2.0) * speed);
-    if (step < limit.value) {
-      std::ostringstream because;
-      because << "wave speed " << speed << " of material " << material.name;
-      limit = {step, because.str()};
-    }
+    const double step = stable_time_step(model, speed, 0);
+    if (step >= limit.value) continue;
+    std::ostringstream because;
+    because << "wave speed " << speed << " of material " << material.name;
+    limit = {step, because.str()};
   }
   return limit;
 }

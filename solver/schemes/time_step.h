@@ -11,6 +11,10 @@ struct TimeStepLimit {
   std::string because;  ///< for people, for example "wave speed 57.7 of material steel"
 };
 
+/// The largest stable step while the fastest wave has this speed (of the reference configuration in a
+/// total Lagrangian scheme) and the fastest particle that one.
+double stable_time_step(const Model& model, double wave_speed, double particle_speed);
+
 /// The stability limit of the model's scheme at time 0, without building the simulation.
 TimeStepLimit time_step_limit(const Model& model);
 

@@ -1,0 +1,43 @@
+#include <cmath>
+
+#include "solver/analyses/run.h"
+#include "solver/schemes/time_step.h"
+#include "solver/simulation/particles.h"
+
+namespace trajan {
+
+ModelPlan plan(const Model& model) {
+  ModelPlan plan;
+  plan.particles = model.particle_count();
+  const TimeStepLimit limit = time_step_limit(model);
+  plan.time_step_limit = limit.because;
+  const double largest = model.numerics.time_step.value_or(model.numerics.time_step_fraction * limit.value);
+  const double interval = model.end_time / static_cast<double>(model.outputs.samples);
+  const double in_interval = std::ceil(interval / largest - 1e-9);
+  plan.time_step = interval / in_interval;
+  plan.steps = static_cast<std::int64_t>(in_interval) * model.outputs.samples;
+
+  const double cell_area = model.grid.cell * model.grid.cell;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body& body = model.bodies[b];
+    const double per_cell = cell_area / (body.lattice.spacing.x * body.lattice.spacing.y);
+    plan.active_cells += static_cast<std::int64_t>(std::ceil(static_cast<double>(body.particles) / per_cell));
+    std::int64_t bytes = sizeof(std::uint32_t);
+    for (const AttributeNeed& need : attributes_needed(model, b)) {
+      const std::string name(attribute_name(need.attribute));
+      bytes += sizeof(double);
+      bool known = false;
+      for (const ModelPlan::Attribute& a : plan.attributes) known = known || a.name == name;
+      if (!known) plan.attributes.push_back({name, sizeof(double), need.wanted_by});
+    }
+    plan.memory_bytes += bytes * body.particles;
+  }
+  plan.attributes.push_back({"number", sizeof(std::uint32_t), "outputs"});
+  // Nodes and windows of the tiles in which the material is.
+  const std::int64_t tiles = plan.active_cells / tile_nodes + 1;
+  plan.memory_bytes += tiles * static_cast<std::int64_t>(
+                                   (node_value_count * tile_nodes + sum_count * window_nodes) * sizeof(double));
+  return plan;
+}
+
+}  // namespace trajan

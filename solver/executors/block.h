@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "solver/executors/tile.h"
+
+namespace trajan {
+
+/// What a particle may carry, one array each. Only what a scene's kernels need is allocated.
+enum class Attribute : std::uint8_t {
+  position_x,  ///< where shape functions are evaluated: current, in total Lagrangian schemes reference
+  position_y,
+  velocity_x,
+  velocity_y,
+  displacement_x,  ///< total Lagrangian schemes: current minus reference position
+  displacement_y,
+  volume,     ///< current, thickness included
+  stress_xx,  ///< Cauchy
+  stress_yy,
+  stress_xy,
+  stress_zz,
+  deformation_xx,  ///< deformation gradient F
+  deformation_xy,
+  deformation_yx,
+  deformation_yy,
+  count
+};
+inline constexpr int attribute_count = static_cast<int>(Attribute::count);
+
+/// Particles that one call of a stage works on: their intermediate values stay in the first-level cache.
+inline constexpr int block_size = 128;
+/// Stages may write so many entries past the last particle.
+inline constexpr int block_padding = 4;
+
+/// A quantity that lives only while a block passes through a chain of stages.
+struct alignas(64) BlockArray {
+  double values[block_size + 2 * block_padding];
+  double* data() { return values; }
+  double& operator[](int i) { return values[i]; }
+};
+
+/// What went wrong with particles of a thread's blocks, as counts.
+struct Trouble {
+  std::int64_t left_window = 0;  ///< not an error: particles must be sorted into tiles again
+  std::int64_t left_domain = 0;
+  std::int64_t moved_too_far = 0;
+  std::int64_t inverted = 0;
+};
+
+/// Working memory of one thread.
+struct alignas(64) Scratch {
+  alignas(64) std::int64_t cell[block_size + 2 * block_padding];  ///< index of the cell's lower left node
+  BlockArray fx, fy;                                              ///< place in the cell, 0 <= f < 1
+  BlockArray acceleration[2];
+  BlockArray velocity[2];
+  BlockArray gradient[4];  ///< of velocity: xx, xy, yx, yy; d v_x / d y is xy
+  BlockArray force[4];     ///< volume times stress over cell size: xx, xy, yx, yy
+  Window window;
+  Trouble trouble;
+};
+
+/// What all particles of a body share.
+struct BodyConstants {
+  double mass = 0;              ///< of one particle
+  double reference_volume = 0;  ///< of one particle, thickness included
+  double acceleration_x = 0;    ///< by body loads at the present time
+  double acceleration_y = 0;
+  const void* law = nullptr;  ///< the body's law object
+};
+
+/// What all particles share during a sweep.
+struct SweepConstants {
+  double cell = 0;
+  double inverse_cell = 0;
+  double origin_x = 0, origin_y = 0;                          ///< of the grid
+  double lower_x = 0, lower_y = 0, upper_x = 0, upper_y = 0;  ///< no particle may leave this box
+  double kick = 0;                                            ///< time by which velocities advance
+  double drift = 0;                                           ///< time by which positions advance
+  double flip = 1;
+  int sums = 0;  ///< how many of `Sum` there are
+};
+
+/// Up to block_size particles of one body in one tile.
+struct Block {
+  int count = 0;
+  std::array<double*, attribute_count> arrays{};  ///< from the block's first particle on
+  const BodyConstants* body = nullptr;
+  const SweepConstants* sweep = nullptr;
+  double window_x = 0, window_y = 0;  ///< first cell of the tile's window
+  /// Cells of the window in which the particles may be: 0 <= lowest, highest < 10.
+  double lowest_x = 0, lowest_y = 0, highest_x = 0, highest_y = 0;
+  double* sums = nullptr;  ///< the tile's, sweep->sums arrays of window_nodes
+  Scratch* scratch = nullptr;
+
+  double* operator[](Attribute a) const { return arrays[static_cast<int>(a)]; }
+};
+
+/// One thing that is done to a block. Does not allocate, throw or look anything up.
+using Stage = void (*)(Block&);
+
+}  // namespace trajan

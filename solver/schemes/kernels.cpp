@@ -1,0 +1,56 @@
+// Compiled once for each instruction set that is dispatched to, with TRAJAN_INSTRUCTION_SET its name.
+#include "solver/materials/laws.h"
+#include "solver/schemes/law_kernels.h"
+#include "solver/transfers/linear_transfer.h"
+#include "solver/transfers/node_updates.h"
+#include "solver/transfers/pointwise.h"
+
+#define TRAJAN_TEXT_OF(name) #name
+#define TRAJAN_TEXT(name) TRAJAN_TEXT_OF(name)
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+namespace {
+
+template <class Law>
+const LawKernels* choose(Dimension dimension, bool total_lagrangian) {
+  constexpr Dimension stress = Dimension::plane_stress, strain = Dimension::plane_strain;
+  if (dimension == stress)
+    return total_lagrangian ? &LawStages<Law, stress, true>::kernels : &LawStages<Law, stress, false>::kernels;
+  return total_lagrangian ? &LawStages<Law, strain, true>::kernels : &LawStages<Law, strain, false>::kernels;
+}
+
+const LawKernels* law(std::string_view name, Dimension dimension, bool total_lagrangian) {
+#define TRAJAN_CHOOSE(Law) \
+  if (name == Law::name) return choose<Law>(dimension, total_lagrangian);
+  TRAJAN_FOR_EACH_LAW(TRAJAN_CHOOSE)
+#undef TRAJAN_CHOOSE
+  return nullptr;
+}
+
+}  // namespace
+
+extern const Kernels compiled_kernels;
+const Kernels compiled_kernels{TRAJAN_TEXT(TRAJAN_INSTRUCTION_SET),
+                               &locate,
+                               &scatter_state<false>,
+                               &scatter_state<true>,
+                               &scatter_momentum,
+                               &gather_acceleration,
+                               &gather_acceleration_and_velocity,
+                               &gather_motion<node_velocity_x>,
+                               &gather_motion<node_mapped_velocity_x>,
+                               &kick,
+                               &kick_and_blend,
+                               &move,
+                               &displace,
+                               &measure_motion,
+                               &update_velocities,
+                               &account,
+                               &map_velocities,
+                               &load_window,
+                               &law};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

@@ -1,0 +1,102 @@
+#include <cmath>
+
+#include "solver/schemes/schemes.h"
+#include "solver/simulation/simulation.h"
+
+/// Particles are saved in their present order, with the tiles they are in: what is added up next is then
+/// added up in the same order as if nothing had happened.
+namespace trajan {
+namespace {
+
+std::string array_name(std::size_t body, std::string_view what) {
+  return "body" + std::to_string(body) + "." + std::string(what);
+}
+
+template <class T>
+const std::vector<T>& array(const Checkpoint& checkpoint, const std::string& name) {
+  for (const Checkpoint::Array& a : checkpoint.arrays)
+    if (a.name == name) return std::get<std::vector<T>>(a.values);
+  throw std::runtime_error("the checkpoint has no array " + name);
+}
+
+std::vector<std::int32_t> pack(const Tiles& tiles) {
+  std::vector<std::int32_t> packed;
+  for (const Tile& tile : tiles.tiles()) {
+    if (tile.window < 0) continue;
+    const CellRange& c = tile.cells;
+    packed.insert(packed.end(), {tile.x, tile.y, c.lowest_x, c.highest_x, c.lowest_y, c.highest_y,
+                                 static_cast<std::int32_t>(tile.last_block - tile.first_block)});
+  }
+  return packed;
+}
+
+std::vector<std::int64_t> pack(std::span<const BlockRange> blocks) {
+  std::vector<std::int64_t> packed;
+  for (const BlockRange& block : blocks) packed.insert(packed.end(), {block.begin, block.count, block.body});
+  return packed;
+}
+
+void unpack(const Checkpoint& checkpoint, int sum_arrays, Tiles& tiles) {
+  std::vector<OccupiedTile> occupied;
+  std::vector<std::uint32_t> blocks_of;
+  const auto& t = array<std::int32_t>(checkpoint, "tiles");
+  for (std::size_t i = 0; i + 7 <= t.size(); i += 7) {
+    occupied.push_back({t[i], t[i + 1], {t[i + 2], t[i + 3], t[i + 4], t[i + 5]}});
+    blocks_of.push_back(static_cast<std::uint32_t>(t[i + 6]));
+  }
+  std::vector<BlockRange> blocks;
+  const auto& b = array<std::int64_t>(checkpoint, "blocks");
+  for (std::size_t i = 0; i + 3 <= b.size(); i += 3)
+    blocks.push_back({static_cast<std::uint32_t>(b[i]), static_cast<std::uint16_t>(b[i + 1]),
+                      static_cast<std::uint16_t>(b[i + 2])});
+  tiles.rebuild(occupied, std::move(blocks), blocks_of, sum_arrays);
+}
+
+}  // namespace
+
+Checkpoint Simulation::save() {
+  Checkpoint checkpoint;
+  checkpoint.sample = sample_;
+  checkpoint.step = steps_;
+  checkpoint.time = time();
+  for (std::size_t b = 0; b < executor_.bodies().size(); ++b) {
+    const BodyParticles& body = executor_.bodies()[b];
+    for (int a = 0; a < attribute_count; ++a)
+      if (!body.arrays[a].empty())
+        checkpoint.arrays.push_back({array_name(b, attribute_name(static_cast<Attribute>(a))), body.arrays[a]});
+    checkpoint.arrays.push_back(
+        {array_name(b, "number"), std::vector<std::int64_t>(body.number.begin(), body.number.end())});
+  }
+  checkpoint.arrays.push_back({"tiles", pack(executor_.tiles())});
+  checkpoint.arrays.push_back({"blocks", pack(executor_.tiles().blocks())});
+  checkpoint.arrays.push_back({"load_points", executor_.loads().positions()});
+  checkpoint.arrays.push_back({"energies", std::vector<double>{executor_.work(), executor_.dissipated(),
+                                                               initial_energy_, largest_energy_, largest_input_}});
+  return checkpoint;
+}
+
+Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkpoint)
+    : model_(model), scheme_(*find_scheme(model.numerics.scheme)), executor_(model, threads) {
+  for (std::size_t b = 0; b < executor_.bodies().size(); ++b) {
+    BodyParticles& body = executor_.bodies()[b];
+    for (int a = 0; a < attribute_count; ++a)
+      if (!body.arrays[a].empty())
+        body.arrays[a] = array<double>(checkpoint, array_name(b, attribute_name(static_cast<Attribute>(a))));
+    const auto& numbers = array<std::int64_t>(checkpoint, array_name(b, "number"));
+    body.number.assign(numbers.begin(), numbers.end());
+  }
+  unpack(checkpoint, executor_.sum_arrays(), executor_.tiles());
+  executor_.loads().positions() = array<double>(checkpoint, "load_points");
+  executor_.bind();
+  const auto& energies = array<double>(checkpoint, "energies");
+  executor_.restore(energies[0], energies[1]);
+  initial_energy_ = energies[2];
+  largest_energy_ = energies[3];
+  largest_input_ = energies[4];
+  sample_ = checkpoint.sample;
+  steps_ = checkpoint.step;
+  totals_ = executor_.totals();
+  measure();
+}
+
+}  // namespace trajan

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <vector>
+
+#include "solver/boundaries/node_conditions.h"
+#include "solver/executors/thread_pool.h"
+#include "solver/loads/loads.h"
+#include "solver/simulation/particles.h"
+
+namespace trajan {
+
+/// What can be done to a block of particles.
+enum class Pass {
+  locate,                ///< cell and place in it
+  force,                 ///< stress to forces, by the body's law
+  scatter_state,         ///< mass, momentum, forces and loads to the nodes
+  gather_acceleration,   ///< from the nodes
+  update_velocity,       ///< by acceleration, blended with the grid's velocity if the scene says so
+  kick,                  ///< by acceleration alone
+  scatter_momentum,      ///< to the nodes, a second time
+  gather_motion,         ///< velocity and its gradient
+  gather_mapped_motion,  ///< velocity, and the gradient of the one mapped a second time
+  move,                  ///< positions
+  displace,              ///< displacements, positions being reference ones
+  deform                 ///< deformation and stress, by the body's law
+};
+
+/// When a kick happens and how far velocities and positions go.
+struct StepTimes {
+  std::int64_t step = 0;
+  double time = 0;    ///< of positions and forces
+  double before = 0;  ///< of velocities before the kick
+  double after = 0;   ///< of velocities after it
+  double drift = 0;   ///< time step of the positions
+  double kick() const { return after - before; }
+};
+
+/// Runs a scheme's passes over particles and grid. Passes over particles are only noted; when the grid or
+/// somebody else needs what they give, the whole chain of them runs on one block after the other, so that
+/// the particles are read from memory once per chain, across the ends of steps too. Nothing that is
+/// computed depends on where chains are cut or on the number of threads.
+class Executor {
+ public:
+  Executor(const Model& model, int threads);
+
+  /// \name What schemes are written with. All throw Diverged.
+  /// @{
+  void particles(std::initializer_list<Pass> passes);
+  /// Accelerations, and velocities after the kick.
+  void update_velocities(const StepTimes& times);
+  /// Velocities from momenta that were mapped a second time.
+  void map_velocities();
+  /// @}
+
+  /// Runs what has been noted; after it particles may be looked at.
+  void finish();
+  /// Sorts particles into tiles and finds everything that depends on their places.
+  void sort();
+  /// Finds that again without sorting, for particles and tiles that were restored.
+  void bind();
+
+  /// Sums and maxima over all particles, in an order that does not depend on the number of threads.
+  Totals totals();
+  /// Cauchy stress of all particles of a body, by slot: xx, yy, xy, zz.
+  std::array<std::vector<double>, 4> stress(std::size_t body) const;
+  std::array<double, 4> stress(const Slot& particle) const;
+
+  std::vector<BodyParticles>& bodies() { return bodies_; }
+  const std::vector<BodyParticles>& bodies() const { return bodies_; }
+  Tiles& tiles() { return tiles_; }
+  const Tiles& tiles() const { return tiles_; }
+  Loads& loads() { return loads_; }
+  /// Counts sortings, for whoever keeps slots.
+  std::int64_t sortings() const { return sortings_; }
+  double work() const { return work_; }
+  double dissipated() const { return dissipated_; }
+  void restore(double work, double dissipated) { work_ = work, dissipated_ = dissipated; }
+  std::size_t memory() const;
+  int sum_arrays() const { return sweep_.sums; }
+  /// Throws Diverged at the present step, about the particle that looks worst.
+  [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
+
+ private:
+  struct Chain;
+  void run(const std::vector<Pass>& chain);
+  void run_tile(std::size_t tile, const Chain& chain, Scratch& scratch);
+  Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
+  Stage stage_of(Pass pass, const BodyParticles& body) const;
+  void check(const Trouble& trouble) const;
+  std::int64_t worst_particle() const;
+  template <class Of>
+  void for_each_tile(Of&& of);
+
+  const Model& model_;
+  const Kernels& kernels_;
+  ThreadPool pool_;
+  std::vector<BodyParticles> bodies_;
+  Tiles tiles_;
+  NodeConditions conditions_;
+  Loads loads_;
+  SweepConstants sweep_;
+  StepTimes times_;
+  std::vector<Pass> chain_;
+  std::vector<std::unique_ptr<Scratch>> scratch_;     ///< by thread
+  std::vector<std::unique_ptr<NodeSums>> collected_;  ///< by thread
+  std::vector<std::size_t> shares_;
+  std::vector<double> tile_work_, tile_dissipated_;
+  std::vector<Totals> tile_totals_;
+  double least_mass_ = 0;
+  bool account_ = false;
+  double work_ = 0, dissipated_ = 0;
+  std::int64_t sortings_ = 0;
+};
+
+}  // namespace trajan

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/simulation/diverged.h"
+#include "solver/simulation/executor.h"
+
+/// Looking at particles: totals, stresses, and what went wrong.
+namespace trajan {
+
+Totals Executor::totals() {
+  finish();
+  tile_totals_.assign(tiles_.tiles().size(), {});
+  pool_.run([&](int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    for (std::size_t index = shares_[t]; index < shares_[t + 1]; ++index) {
+      const Tile& tile = tiles_.tiles()[index];
+      for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
+        const Block block = make_block(tile, tiles_.blocks()[b], *scratch_[t]);
+        kernels_.measure_motion(block, tile_totals_[index]);
+        bodies_[tiles_.blocks()[b].body].law->measure(block, tile_totals_[index]);
+      }
+    }
+  });
+  Totals all;
+  for (const Totals& tile : tile_totals_) {
+    all.kinetic_energy += tile.kinetic_energy;
+    all.strain_energy += tile.strain_energy;
+    all.momentum_x += tile.momentum_x;
+    all.momentum_y += tile.momentum_y;
+    if (!(tile.squared_speed <= all.squared_speed)) all.squared_speed = tile.squared_speed;
+    if (!(tile.squared_wave_speed <= all.squared_wave_speed)) all.squared_wave_speed = tile.squared_wave_speed;
+  }
+  return all;
+}
+
+std::array<std::vector<double>, 4> Executor::stress(std::size_t body) const {
+  const BodyParticles& particles = bodies_[body];
+  std::array<std::vector<double>, 4> stress;
+  for (std::vector<double>& component : stress) component.resize(particles.size());
+  for (const Tile& tile : tiles_.tiles())
+    for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
+      const BlockRange& range = tiles_.blocks()[b];
+      if (range.body != body) continue;
+      double* out[4];
+      for (int c = 0; c < 4; ++c) out[c] = stress[c].data() + range.begin;
+      particles.law->stress(make_block(tile, range, *scratch_[0]), out);
+    }
+  return stress;
+}
+
+std::array<double, 4> Executor::stress(const Slot& slot) const {
+  std::array<double, 4> stress;
+  double* const out[4] = {&stress[0], &stress[1], &stress[2], &stress[3]};
+  const BlockRange one{slot.index, 1, static_cast<std::uint16_t>(slot.body)};
+  bodies_[slot.body].law->stress(make_block(tiles_.tiles()[0], one, *scratch_[0]), out);
+  return stress;
+}
+
+void Executor::check(const Trouble& trouble) const {
+  if (trouble.inverted)
+    diverge("a particle's deformation gradient has lost its positive determinant",
+            "take a smaller numerics.time_step_fraction, or particles and cells of a better resolution");
+  if (trouble.moved_too_far)
+    diverge("a particle moved more than one cell in a step, or its velocity is not a finite number",
+            "take a smaller numerics.time_step_fraction; if that does not help, check loads and boundaries");
+  if (trouble.left_domain)
+    diverge("a particle left the domain",
+            "enlarge domain.lower and domain.upper (empty space costs nothing), or hold the body by a boundary");
+}
+
+void Executor::diverge(const std::string& cause, const std::string& remedy) const {
+  Divergence divergence;
+  divergence.step = times_.step;
+  divergence.time = times_.time;
+  divergence.particle = worst_particle();
+  divergence.cause = cause;
+  divergence.remedy = remedy;
+  throw Diverged(divergence);
+}
+
+std::int64_t Executor::worst_particle() const {
+  double worst = -1;
+  std::int64_t particle = -1;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const BodyParticles& body = bodies_[b];
+    const bool total = !body[Attribute::displacement_x].empty();
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      const double x = body[Attribute::position_x][i] + (total ? body[Attribute::displacement_x][i] : 0.0);
+      const double y = body[Attribute::position_y][i] + (total ? body[Attribute::displacement_y][i] : 0.0);
+      const double vx = body[Attribute::velocity_x][i], vy = body[Attribute::velocity_y][i];
+      const double out =
+          std::max({sweep_.lower_x - x, x - sweep_.upper_x, sweep_.lower_y - y, y - sweep_.upper_y});
+      // Not finite before outside before fast.
+      double badness = std::hypot(vx, vy);
+      if (out > 0) badness = 1e200 * (1 + out / sweep_.cell);
+      if (!std::isfinite(x + y + vx + vy)) badness = HUGE_VAL;
+      if (badness <= worst) continue;
+      worst = badness;
+      particle = model_.bodies[b].first_particle + body.number[i];
+    }
+  }
+  return particle;
+}
+
+std::size_t Executor::memory() const {
+  std::size_t bytes = tiles_.memory() + scratch_.size() * (sizeof(Scratch) + sizeof(NodeSums));
+  for (const BodyParticles& body : bodies_) {
+    bytes += body.number.capacity() * sizeof(std::uint32_t);
+    for (const std::vector<double>& array : body.arrays) bytes += array.capacity() * sizeof(double);
+  }
+  return bytes;
+}
+
+}  // namespace trajan

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/executors/block.h"
+#include "solver/executors/tiles.h"
+#include "solver/model/model.h"
+#include "solver/schemes/kernels.h"
+
+namespace trajan {
+
+/// The particles of one body: one array per attribute that the scene needs, in the order of tiles.
+struct BodyParticles {
+  BodyConstants constants;
+  const LawKernels* law = nullptr;
+  std::unique_ptr<const void, void (*)(const void*)> law_object{nullptr, [](const void*) {}};
+  std::array<std::vector<double>, attribute_count> arrays;  ///< empty: not needed
+  std::vector<std::uint32_t> number;                        ///< within the body, by slot
+
+  std::size_t size() const { return number.size(); }
+  std::vector<double>& operator[](Attribute a) { return arrays[static_cast<int>(a)]; }
+  const std::vector<double>& operator[](Attribute a) const { return arrays[static_cast<int>(a)]; }
+};
+
+/// An attribute that a body's particles carry, and which part of the scene makes it necessary.
+struct AttributeNeed {
+  Attribute attribute;
+  std::string wanted_by;
+};
+std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t body);
+std::string_view attribute_name(Attribute attribute);
+
+/// Calls visit(number within the body, reference position) for all particles of a body, in order.
+template <class Visit>
+void for_each_lattice_point(const Body& body, Visit&& visit) {
+  std::uint32_t number = 0;
+  for (std::int64_t row = 0; row < body.lattice.rows; ++row) {
+    const Lattice::Range range = body.lattice.columns_in_row(row);
+    for (std::int64_t column = range.begin; column < range.end; ++column)
+      visit(number++, body.lattice.point(column, row));
+  }
+}
+
+/// Bodies at time 0, in the order of their numbers.
+std::vector<BodyParticles> make_particles(const Model& model);
+
+/// Positions at time 0 of the particles of these numbers.
+std::vector<Vector> reference_positions(const Model& model, const std::vector<std::int64_t>& numbers);
+
+/// Puts particles in the order of tiles and, within one, of cells; particles of one cell stay in order.
+/// `sum_arrays` is what tiles have windows for.
+void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles& tiles, int sum_arrays);
+
+}  // namespace trajan

@@ -1,0 +1,156 @@
+#include "solver/simulation/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/schemes/schemes.h"
+#include "solver/schemes/time_step.h"
+#include "solver/simulation/diverged.h"
+
+namespace trajan {
+namespace {
+
+/// A run that holds this many times the energy that ever went into it has lost stability.
+constexpr double energy_growth_bound = 10;
+
+}  // namespace
+
+Simulation::Simulation(const Model& model, int threads)
+    : model_(model), scheme_(*find_scheme(model.numerics.scheme)), executor_(model, threads) {
+  executor_.sort();
+  follow_probes();
+  totals_ = executor_.totals();
+  initial_energy_ = totals_.kinetic_energy + totals_.strain_energy;
+  measure();
+}
+
+double Simulation::sample_time(std::int64_t sample) const {
+  if (sample == model_.outputs.samples) return model_.end_time;
+  return model_.end_time * static_cast<double>(sample) / static_cast<double>(model_.outputs.samples);
+}
+
+double Simulation::time() const {
+  return sample_time(sample_) + static_cast<double>(step_in_interval_) * time_step_;
+}
+
+std::int64_t Simulation::steps_left() const {
+  const std::int64_t intervals = model_.outputs.samples - sample_;
+  return intervals * std::max<std::int64_t>(steps_in_interval_, 1) - step_in_interval_;
+}
+
+void Simulation::begin_interval() {
+  const double interval = sample_time(sample_ + 1) - sample_time(sample_);
+  const double largest =
+      model_.numerics.time_step
+          ? *model_.numerics.time_step
+          : model_.numerics.time_step_fraction *
+                stable_time_step(model_, std::sqrt(totals_.squared_wave_speed), std::sqrt(totals_.squared_speed));
+  // A step that divides the interval but for rounding must not become one step more.
+  steps_in_interval_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(interval / largest - 1e-9)));
+  time_step_ = interval / static_cast<double>(steps_in_interval_);
+}
+
+bool Simulation::step() {
+  if (step_in_interval_ == 0) begin_interval();
+  const bool first = step_in_interval_ == 0;
+  StepTimes times;
+  times.step = steps_;
+  times.time = time();
+  times.before = first ? times.time : times.time - 0.5 * time_step_;
+  times.after = times.time + 0.5 * time_step_;
+  times.drift = time_step_;
+  scheme_.step(executor_, times);
+  ++steps_;
+  ++step_in_interval_;
+  if (step_in_interval_ < steps_in_interval_) return false;
+
+  ++sample_;
+  step_in_interval_ = 0;
+  times.time = sample_time(sample_);
+  times.before = times.time - 0.5 * time_step_;
+  times.after = times.time;
+  times.drift = 0;
+  times.step = steps_;
+  synchronise(executor_, times);
+  totals_ = executor_.totals();
+  measure();
+  return true;
+}
+
+void Simulation::measure() {
+  columns_.clear();
+  probe();
+  const double total = totals_.kinetic_energy + totals_.strain_energy;
+  const double work = executor_.work(), dissipated = executor_.dissipated();
+  for (double term : {total, work, dissipated, initial_energy_})
+    largest_energy_ = std::max(largest_energy_, std::abs(term));
+  balance_error_ = largest_energy_ > 0 ? (total + dissipated - work - initial_energy_) / largest_energy_ : 0.0;
+  columns_.insert(columns_.end(), {totals_.kinetic_energy, totals_.strain_energy, work, dissipated, total,
+                                   balance_error_, totals_.momentum_x, totals_.momentum_y});
+  largest_input_ = std::max({largest_input_, initial_energy_, std::abs(work)});
+  if (total <= energy_growth_bound * largest_input_) return;
+  executor_.diverge("the energy has grown to " + std::to_string(total / largest_input_) +
+                        " times what went in: the motion is not stable",
+                    "take a smaller numerics.time_step_fraction");
+}
+
+void Simulation::follow_probes() {
+  if (probed_sortings_ == executor_.sortings()) return;
+  if (probed_sortings_ < 0) {
+    for (const Probe& probe : model_.outputs.probes)
+      probed_.insert(probed_.end(), probe.particles.begin(), probe.particles.end());
+    probed_reference_ = reference_positions(model_, probed_);
+  }
+  probed_slots_ = find_slots(executor_.bodies(), model_, probed_);
+  probed_sortings_ = executor_.sortings();
+}
+
+Vector Simulation::position(const Slot& slot) const {
+  const BodyParticles& body = executor_.bodies()[slot.body];
+  Vector at{body[Attribute::position_x][slot.index], body[Attribute::position_y][slot.index]};
+  if (scheme_.total_lagrangian) {
+    at.x += body[Attribute::displacement_x][slot.index];
+    at.y += body[Attribute::displacement_y][slot.index];
+  }
+  return at;
+}
+
+std::array<double, 4> Simulation::value(Field field, std::size_t probed) const {
+  const Slot& slot = probed_slots_[probed];
+  const BodyParticles& body = executor_.bodies()[slot.body];
+  const Vector at = position(slot);
+  switch (field) {
+    case Field::position:
+      return {at.x, at.y};
+    case Field::displacement:
+      return {at.x - probed_reference_[probed].x, at.y - probed_reference_[probed].y};
+    case Field::velocity:
+      return {body[Attribute::velocity_x][slot.index], body[Attribute::velocity_y][slot.index]};
+    case Field::stress:
+      return executor_.stress(slot);
+    case Field::unspecified:
+      break;
+  }
+  return {};
+}
+
+void Simulation::probe() {
+  follow_probes();
+  std::size_t first = 0;
+  for (const Probe& probe : model_.outputs.probes) {
+    for (Field field : probe.fields) {
+      std::array<double, 4> sum{};
+      double weights = 0;
+      for (std::size_t p = first; p < first + probe.particles.size(); ++p) {
+        const double weight = probe.mean ? model_.bodies[probed_slots_[p].body].particle_volume : 1.0;
+        const std::array<double, 4> v = value(field, p);
+        for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * v[c];
+        weights += weight;
+      }
+      for (std::size_t c = 0; c < field_components(field).size(); ++c) columns_.push_back(sum[c] / weights);
+    }
+    first += probe.particles.size();
+  }
+}
+
+}  // namespace trajan

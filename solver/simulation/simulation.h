@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solver/recorder.h"
+#include "solver/simulation/executor.h"
+
+namespace trajan {
+
+struct Scheme;
+
+/// A model in motion. Time goes from sample to sample: sample i is at i * end_time / samples. All that it
+/// gives is of the present sample: positions, velocities and forces belong to its time (between samples
+/// velocities are half a step off, as leapfrog's are). Its bits do not depend on the number of threads.
+class Simulation {
+ public:
+  /// At sample 0.
+  Simulation(const Model& model, int threads);
+  /// At the sample of a checkpoint that `save` made for the same model.
+  Simulation(const Model& model, int threads, const Checkpoint& checkpoint);
+
+  /// Goes on by one step; true if that reached the next sample. Throws Diverged.
+  bool step();
+
+  std::int64_t sample() const { return sample_; }
+  std::int64_t steps() const { return steps_; }
+  double time() const;
+  /// Steps until the end if the time step stays what it is.
+  std::int64_t steps_left() const;
+
+  /// \name Only at a sample
+  /// @{
+  /// The row of histories, columns as history_columns(model).
+  const std::vector<double>& columns() const { return columns_; }
+  Snapshot snapshot();
+  Checkpoint save();
+  /// @}
+
+  double energy_balance_error() const { return balance_error_; }
+  const Executor& executor() const { return executor_; }
+
+ private:
+  double sample_time(std::int64_t sample) const;
+  void begin_interval();
+  void measure();
+  void probe();
+  void follow_probes();
+  Vector position(const Slot& slot) const;
+  /// A field of the probed particle of this index.
+  std::array<double, 4> value(Field field, std::size_t probed) const;
+
+  const Model& model_;
+  const Scheme& scheme_;
+  Executor executor_;
+  std::int64_t sample_ = 0, steps_ = 0;
+  std::int64_t step_in_interval_ = 0, steps_in_interval_ = 0;
+  double time_step_ = 0;
+  Totals totals_;
+  double initial_energy_ = 0, largest_energy_ = 0, balance_error_ = 0;
+  double largest_input_ = 0;  ///< of initial energy and work so far
+  std::vector<double> columns_;
+  /// Probed particles in the order of the scene, with their reference positions and places in memory.
+  std::vector<std::int64_t> probed_;
+  std::vector<Vector> probed_reference_;
+  std::vector<Slot> probed_slots_;
+  std::int64_t probed_sortings_ = -1;
+};
+
+}  // namespace trajan
