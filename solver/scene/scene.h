@@ -7,22 +7,15 @@
 #include <variant>
 #include <vector>
 
+#include "solver/scene/geometry.h"
+#include "solver/scene/loads.h"
+#include "solver/scene/outputs.h"
+
 /// A scene as it was asked for: plain values, not yet checked. Field for field the message
 /// `trajan.v1.Scene` (proto/trajan/v1/scene.proto), whose comments give meaning, units, ranges and
 /// defaults. Defaults are applied here, so that a value-initialised field is what a user gets who
 /// leaves it out. Only `validate` (model/validate.h) reads it.
 namespace trajan {
-
-struct Vector {
-  double x = 0;
-  double y = 0;
-};
-
-/// Empty: not given.
-struct VectorExpression {
-  std::optional<std::string> x;
-  std::optional<std::string> y;
-};
 
 struct Constant {
   std::string name;
@@ -48,19 +41,6 @@ struct MaterialDefinition {
   std::map<std::string, double> parameters;
 };
 
-struct Box {
-  Vector lower;
-  Vector upper;
-};
-
-struct Disc {
-  Vector centre;
-  double radius = 0;
-};
-
-/// monostate: not given.
-using Region = std::variant<std::monostate, Box, Disc>;
-
 struct BodyDefinition {
   std::string name;
   std::string material;
@@ -85,51 +65,6 @@ struct BoundaryDefinition {
   std::variant<std::monostate, Fixed, PrescribedVelocity> condition;
 };
 
-struct Ramp {
-  double start = 0;
-  double duration = 0;
-  bool smooth = false;
-};
-
-struct Sine {
-  double frequency = 0;
-  double phase = 0;
-};
-
-struct Table {
-  std::vector<double> times;
-  std::vector<double> values;
-};
-
-/// double: constant; string: an expression of t.
-using TimeFunctionDefinition = std::variant<double, Ramp, Sine, Table, std::string>;
-
-struct PointForce {
-  std::string body;
-  Vector position;
-  Vector force;
-};
-
-enum class Edge { unspecified, left, right, bottom, top };
-
-struct EdgeTraction {
-  std::string body;
-  Edge edge = Edge::unspecified;
-  Vector traction;
-  std::string profile;
-};
-
-struct BodyForce {
-  Vector acceleration;
-  std::vector<std::string> bodies;
-};
-
-struct LoadDefinition {
-  std::string name;
-  std::variant<std::monostate, PointForce, EdgeTraction, BodyForce> kind;
-  TimeFunctionDefinition time = 1.0;
-};
-
 struct Analysis {
   double end_time = 0;
   double damping = 0;
@@ -142,50 +77,6 @@ struct Numerics {
   double time_step_fraction = 0.5;
   std::optional<double> time_step;
   std::optional<std::int32_t> threads;
-};
-
-enum class Field { unspecified, position, displacement, velocity, stress };
-
-/// `where`: Vector for the nearest particle, Box or Disc for the mean over a region.
-struct ProbeDefinition {
-  std::string name;
-  std::variant<std::monostate, Vector, Region> where;
-  std::vector<Field> fields;
-  std::string body;
-};
-
-/// `snapshots` empty: 10 or the nearest smaller divisor of `samples`.
-struct Outputs {
-  std::int32_t samples = 200;
-  std::optional<std::int32_t> snapshots;
-  std::vector<Field> snapshot_fields = {Field::displacement, Field::stress};
-  std::vector<ProbeDefinition> probes;
-};
-
-struct FinalValue {};
-enum class ExtremeKind { magnitude, maximum, minimum };
-struct ExtremeValue {
-  ExtremeKind kind = ExtremeKind::magnitude;
-};
-struct MeanValue {};
-struct DominantFrequency {
-  double lowest = 0;
-  std::optional<double> highest;
-};
-struct Deviation {
-  std::string exact_history;
-  double scale = 1;
-};
-
-struct MeasureDefinition {
-  std::string name;
-  std::string quantity;
-  std::variant<std::monostate, FinalValue, ExtremeValue, MeanValue, DominantFrequency, Deviation> kind;
-  double from = 0;
-  std::optional<double> until;
-  std::string exact;
-  std::string source;
-  std::optional<double> tolerance;
 };
 
 struct Scene {

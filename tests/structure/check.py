@@ -18,18 +18,23 @@ OWNERS = {
     r"^server/": ("server/", "tests/"),
     r"^client/": ("client/", "tests/"),
     r"^solver/": ("solver/", "server/", "tests/"),
-    r"^muParser": ("solver/model/",),
+    r"^muParser": ("solver/model/expression.cpp",),
 }
 
-# What the solver's folders must not know of each other.
+# What the solver's folders must not know of each other. Validation alone may ask which schemes there are
+# and which time step they allow.
 FORBIDDEN = {
     "solver/scene/": r"^solver/(?!scene/)",
-    "solver/materials/": r"^solver/(shapes|transfers|boundaries|schemes|analyses|results|measures)/",
-    "solver/shapes/": r"^solver/(materials|transfers|boundaries|schemes|analyses|results|measures)/",
-    "solver/model/": r"^solver/(transfers|schemes|analyses|executors|results|measures)/",
+    "solver/materials/": r"^solver/(?!materials/|scene/|executors/)",
+    "solver/shapes/": r"^solver/(?!shapes/|scene/|executors/)",
+    "solver/executors/": r"^solver/(?!executors/|scene/)",
+    "solver/model/": r"^solver/(?!model/|scene/|materials/material\.h|schemes/(scheme|time_step)\.h)",
+    "solver/boundaries/": r"^solver/(?!boundaries/|model/|executors/)",
+    "solver/transfers/": r"^solver/(materials|boundaries|loads|model|simulation|analyses|results|measures)/",
     "solver/schemes/": r"^solver/(analyses|results|measures)/",
-    "solver/executors/": r"^solver/(materials|transfers|schemes|analyses|results|measures)/",
-    "solver/measures/": r"^solver/(shapes|transfers|boundaries|schemes|analyses|executors|results)/",
+    "solver/analyses/": r"^solver/(results|measures)/",
+    "solver/measures/": r"^solver/(?!measures/|model/|recorder\.h)",
+    "solver/results/": r"^solver/(?!results/|model/|scene/|recorder\.h)",
 }
 
 INCLUDE = re.compile(r'#include\s+["<]([^">]+)[">]')

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+/// Parts of space, as scenes ask for them.
+namespace trajan {
+
+struct Vector {
+  double x = 0;
+  double y = 0;
+};
+
+/// Empty: not given.
+struct VectorExpression {
+  std::optional<std::string> x;
+  std::optional<std::string> y;
+};
+
+struct Box {
+  Vector lower;
+  Vector upper;
+};
+
+struct Disc {
+  Vector centre;
+  double radius = 0;
+};
+
+/// monostate: not given.
+using Region = std::variant<std::monostate, Box, Disc>;
+
+}  // namespace trajan

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/scene/geometry.h"
+
+/// What is recorded and measured, as scenes ask for it.
+namespace trajan {
+
+enum class Field { unspecified, position, displacement, velocity, stress };
+
+/// `where`: Vector for the nearest particle, Box or Disc for the mean over a region.
+struct ProbeDefinition {
+  std::string name;
+  std::variant<std::monostate, Vector, Region> where;
+  std::vector<Field> fields;
+  std::string body;
+};
+
+/// `snapshots` empty: 10 or the nearest smaller divisor of `samples`.
+struct Outputs {
+  std::int32_t samples = 200;
+  std::optional<std::int32_t> snapshots;
+  std::vector<Field> snapshot_fields = {Field::displacement, Field::stress};
+  std::vector<ProbeDefinition> probes;
+};
+
+struct FinalValue {};
+enum class ExtremeKind { magnitude, maximum, minimum };
+struct ExtremeValue {
+  ExtremeKind kind = ExtremeKind::magnitude;
+};
+struct MeanValue {};
+struct DominantFrequency {
+  double lowest = 0;
+  std::optional<double> highest;
+};
+struct Deviation {
+  std::string exact_history;
+  double scale = 1;
+};
+
+struct MeasureDefinition {
+  std::string name;
+  std::string quantity;
+  std::variant<std::monostate, FinalValue, ExtremeValue, MeanValue, DominantFrequency, Deviation> kind;
+  double from = 0;
+  std::optional<double> until;
+  std::string exact;
+  std::string source;
+  std::optional<double> tolerance;
+};
+
+}  // namespace trajan
