@@ -66,7 +66,8 @@ std::string point_text(Vector point) {
 std::string list_of(std::span<const std::string> names) {
   constexpr std::size_t most = 20;
   std::string list;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i) list += (i > 0 ? ", " : "") + names[i];
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    list.append(i > 0 ? ", " : "").append(shortened(names[i]));
   return names.size() > most ? list + ", ..." : list;
 }
 

@@ -92,7 +92,7 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Poi
   const double outside = distance_from(carrier.lattice.geometry, force.position);
   if (!(outside <= farthest)) {
     violations_.add(path + ".position", point_text(force.position),
-                    "lies " + number_text(outside) + " outside of body " + force.body,
+                    "lies " + number_text(outside) + " outside of body " + shortened(force.body),
                     "choose a place in the body or at most " + number_text(std::max(spacing.x, spacing.y)) +
                         " (one particle spacing) outside");
     return {};

@@ -1,0 +1,35 @@
+#include "solver/model/names.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace trajan {
+namespace {
+
+TEST(Names, HintIsTheNearestNameIfOneIsNear) {
+  const std::vector<std::string> schemes = {"MUSL", "USL", "TLMPM"};
+  EXPECT_EQ(did_you_mean("MULS", schemes), "");
+  EXPECT_EQ(did_you_mean("MUSLE", schemes), " (did you mean \"MUSL\"?)");
+  EXPECT_EQ(did_you_mean("tlmpm", schemes), " (did you mean \"TLMPM\"?)");
+  EXPECT_EQ(did_you_mean("leapfrog", schemes), "");
+  EXPECT_EQ(did_you_mean("", schemes), "");
+  EXPECT_EQ(did_you_mean(std::string(1'000'000, 'M'), schemes), "");
+}
+
+TEST(Names, NumbersAreTheShortestThatReadBack) {
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(-1e300), "-1e+300");
+  EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "inf");
+  EXPECT_EQ(point_text({1, -2.5}), "(1, -2.5)");
+}
+
+TEST(Names, IdentifiersAreSafeInPathsAndColumns) {
+  EXPECT_TRUE(is_identifier("tip_2-b"));
+  for (const char* name : {"", "a.b", "a/b", "a b", "\xc3\xa4"}) EXPECT_FALSE(is_identifier(name)) << name;
+  EXPECT_TRUE(is_identifier(std::string(64, 'a')));
+  EXPECT_FALSE(is_identifier(std::string(65, 'a')));
+}
+
+}  // namespace
+}  // namespace trajan
