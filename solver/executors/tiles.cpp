@@ -6,6 +6,10 @@
 namespace trajan {
 namespace {
 
+/// Values of a tile that does not exist.
+alignas(64) constexpr double nothing[sum_count * window_nodes] = {};
+static_assert(node_value_count * tile_nodes <= sum_count * window_nodes);
+
 bool before(const Tile& a, const Tile& b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); }
 
 /// The tiles that own nodes of an occupied tile's window which its particles can reach.
@@ -51,9 +55,20 @@ void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRan
   sums_.assign(occupied.size() * sum_arrays * window_nodes, 0.0);
 }
 
-double* Tiles::sums(std::size_t tile) {
-  const std::int32_t window = tiles_[tile].window;
-  return window < 0 ? nullptr : sums_.data() + static_cast<std::size_t>(window) * sum_arrays_ * window_nodes;
+std::array<const double*, 9> Tiles::nodes_around(const Tile& tile) const {
+  std::array<const double*, 9> around;
+  for (int n = 0; n < 9; ++n)
+    around[n] = tile.around[n] < 0 ? nothing : nodes(static_cast<std::size_t>(tile.around[n]));
+  return around;
+}
+
+std::array<const double*, 9> Tiles::sums_around(const Tile& tile) const {
+  std::array<const double*, 9> around;
+  for (int n = 0; n < 9; ++n) {
+    const Tile* other = tile.around[n] < 0 ? nullptr : &tiles_[static_cast<std::size_t>(tile.around[n])];
+    around[n] = other && other->window >= 0 ? sums_.data() + window(*other) : nothing;
+  }
+  return around;
 }
 
 std::int32_t Tiles::find(std::int32_t x, std::int32_t y) const {

@@ -50,8 +50,11 @@ class Tiles {
   int sum_arrays() const { return sum_arrays_; }
   double* nodes(std::size_t tile) { return nodes_.data() + tile * node_value_count * tile_nodes; }
   const double* nodes(std::size_t tile) const { return nodes_.data() + tile * node_value_count * tile_nodes; }
-  /// nullptr: no particles.
-  double* sums(std::size_t tile);
+  /// Only of a tile that has particles.
+  double* sums(std::size_t tile) { return sums_.data() + window(tiles_[tile]); }
+  /// Of the 3 x 3 tiles around, zeros where there is none.
+  std::array<const double*, 9> nodes_around(const Tile& tile) const;
+  std::array<const double*, 9> sums_around(const Tile& tile) const;
   /// Index of the tile at (x, y), -1 if it does not exist.
   std::int32_t find(std::int32_t x, std::int32_t y) const;
   /// Contiguous shares of the tiles for `threads` threads, of about equal work: threads + 1 bounds.
@@ -59,6 +62,10 @@ class Tiles {
   std::size_t memory() const;
 
  private:
+  std::size_t window(const Tile& tile) const {
+    return static_cast<std::size_t>(tile.window) * static_cast<std::size_t>(sum_arrays_ * window_nodes);
+  }
+
   std::vector<Tile> tiles_;
   std::vector<BlockRange> blocks_;
   AlignedDoubles nodes_, sums_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -40,14 +41,14 @@ struct NodeSums {
 /// A tile's nodes, what its window and those of its eight neighbours have collected, and the constants of
 /// the pass.
 struct NodeBlock {
-  double* nodes = nullptr;          ///< node_value_count arrays of tile_nodes
-  const double* sums[9] = {};       ///< of the 3 x 3 tiles around, row by row; nullptr: nothing there
-  int sum_arrays = 0;               ///< how many of `Sum` there are
-  double kick = 0;                  ///< time by which velocities advance
-  double damping = 0;               ///< force per momentum
-  double least_mass = 0;            ///< nodes with less do not move
-  NodeSums* collected = nullptr;    ///< working memory
-  double work = 0, dissipated = 0;  ///< results
+  double* nodes = nullptr;              ///< node_value_count arrays of tile_nodes
+  std::array<const double*, 9> sums{};  ///< of the 3 x 3 tiles around, row by row
+  int sum_arrays = 0;                   ///< how many of `Sum` there are
+  double kick = 0;                      ///< time by which velocities advance
+  double damping = 0;                   ///< force per momentum
+  double least_mass = 0;                ///< nodes with less do not move
+  NodeSums* collected = nullptr;        ///< working memory
+  double work = 0, dissipated = 0;      ///< results
 };
 
 /// Everything whose speed depends on the instruction set.
@@ -65,7 +66,7 @@ struct Kernels {
   void (*account)(NodeBlock&);
   void (*map_velocities)(NodeBlock&);
   /// Copies what a tile and its neighbours hold into a window. `mask`: bits of NodeValue.
-  void (*load_window)(Window&, const double* const* nodes, unsigned mask);
+  void (*load_window)(Window&, const std::array<const double*, 9>& nodes, unsigned mask);
   const LawKernels* (*law)(std::string_view name, Dimension dimension, bool total_lagrangian);
 };
 

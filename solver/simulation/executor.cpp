@@ -165,10 +165,7 @@ void Executor::run_tile(std::size_t index, const Chain& chain, Scratch& scratch)
   const Tile& tile = tiles_.tiles()[index];
   if (tile.window < 0) return;
   if (chain.mask) {
-    const double* nodes[9];
-    for (int n = 0; n < 9; ++n)
-      nodes[n] = tile.around[n] < 0 ? nullptr : tiles_.nodes(static_cast<std::size_t>(tile.around[n]));
-    kernels_.load_window(scratch.window, nodes, chain.mask);
+    kernels_.load_window(scratch.window, tiles_.nodes_around(tile), chain.mask);
   }
   double* sums = tiles_.sums(index) + chain.first_sum * window_nodes;
   std::fill(sums, sums + chain.sums * window_nodes, 0.0);
@@ -206,11 +203,9 @@ void Executor::update_velocities(const StepTimes& times) {
   sweep_.drift = times.drift;
   conditions_.evaluate(times.before, times.after, times.kick());
   for_each_tile([&](std::size_t index, std::size_t thread) {
-    const Tile& tile = tiles_.tiles()[index];
     NodeBlock block;
     block.nodes = tiles_.nodes(index);
-    for (int n = 0; n < 9; ++n)
-      if (tile.around[n] >= 0) block.sums[n] = tiles_.sums(static_cast<std::size_t>(tile.around[n]));
+    block.sums = tiles_.sums_around(tiles_.tiles()[index]);
     block.sum_arrays = sweep_.sums;
     block.kick = times.kick();
     block.damping = model_.damping;
@@ -231,11 +226,9 @@ void Executor::update_velocities(const StepTimes& times) {
 void Executor::map_velocities() {
   finish();
   for_each_tile([&](std::size_t index, std::size_t) {
-    const Tile& tile = tiles_.tiles()[index];
     NodeBlock block;
     block.nodes = tiles_.nodes(index);
-    for (int n = 0; n < 9; ++n)
-      if (tile.around[n] >= 0) block.sums[n] = tiles_.sums(static_cast<std::size_t>(tile.around[n]));
+    block.sums = tiles_.sums_around(tiles_.tiles()[index]);
     block.least_mass = least_mass_;
     kernels_.map_velocities(block);
     conditions_.prescribe_mapped(index, block.nodes);

@@ -2,37 +2,34 @@
 
 #include "solver/executors/instruction_set.h"
 #include "solver/schemes/kernels.h"
+#include "solver/transfers/linear_transfer.h"
 
 /// What is done to the nodes of one tile. Sums are taken over the tiles around in a fixed order, so that
 /// their bits do not depend on which thread does what.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Part of a tile's nodes that the window of a tile around covers, along one axis.
-struct Overlap {
-  int begin, end;  ///< of the tile's nodes
-  int shift;       ///< window node = node + shift
-  explicit Overlap(int neighbour)
-      : begin(neighbour == 2 ? tile_side - 1 : 0),
-        end(neighbour == 0 ? 2 : tile_side),
-        shift(1 + tile_side * (1 - neighbour)) {}
-};
+typedef double Eight __attribute__((vector_size(64)));
 
-/// Adds one quantity of all windows around to `out`, which has tile_nodes entries.
+/// Adds one quantity of all windows around to `out`, which has tile_nodes entries. Of the window of the
+/// tile to the left, columns 9 and 10 are this tile's columns 0 and 1, of the one to the right column 0 is
+/// this tile's column 7; rows likewise.
 inline void collect(const NodeBlock& block, int quantity, double* __restrict out) {
-  for (int i = 0; i < tile_nodes; ++i) out[i] = 0;
-  for (int n = 0; n < 9; ++n) {
-    if (!block.sums[n]) continue;
-    const Overlap x(n % 3), y(n / 3);
-    const double* in = block.sums[n] + quantity * window_nodes;
-    for (int j = y.begin; j < y.end; ++j) {
-      const double* row = in + (j + y.shift) * window_side + x.shift;
-      double* target = out + j * tile_side;
-      if (n % 3 == 1)
-        for (int i = 0; i < tile_side; ++i) target[i] += row[i];
-      else
-        for (int i = x.begin; i < x.end; ++i) target[i] += row[i];
-    }
+  const auto add_row = [&](int n, int row, Eight sum) __attribute__((always_inline)) {
+    const int at = quantity * window_nodes + row * window_side;
+    const double* left = block.sums[n] + at;
+    const double* right = block.sums[n + 2] + at;
+    sum += Eight{left[tile_side + 1], left[tile_side + 2], 0, 0, 0, 0, 0, 0};
+    sum += load<Eight>(block.sums[n + 1] + at + 1);
+    sum += Eight{0, 0, 0, 0, 0, 0, 0, right[0]};
+    return sum;
+  };
+  for (int j = 0; j < tile_side; ++j) {
+    Eight sum{};
+    if (j < 2) sum = add_row(0, j + tile_side + 1, sum);
+    sum = add_row(3, j + 1, sum);
+    if (j == tile_side - 1) sum = add_row(6, 0, sum);
+    store(out + j * tile_side, sum);
   }
 }
 
@@ -88,19 +85,17 @@ inline void map_velocities(NodeBlock& block) {
   }
 }
 
-inline void load_window(Window& window, const double* const* nodes, unsigned mask) {
+inline void load_window(Window& window, const std::array<const double*, 9>& nodes, unsigned mask) {
   for (int q = 0; q < node_value_count; ++q) {
     if (!(mask >> q & 1u)) continue;
     WindowValue& v = window.values[q];
-    for (int n = 0; n < 9; ++n) {
-      // The nodes that this tile's window takes of the tile around mirror those that it gives.
-      const int x_begin = n % 3 == 0 ? tile_side - 1 : 0, x_end = n % 3 == 2 ? 2 : tile_side;
-      const int y_begin = n / 3 == 0 ? tile_side - 1 : 0, y_end = n / 3 == 2 ? 2 : tile_side;
-      const int x_shift = 1 + tile_side * (n % 3 - 1), y_shift = 1 + tile_side * (n / 3 - 1);
-      for (int j = y_begin; j < y_end; ++j)
-        for (int i = x_begin; i < x_end; ++i)
-          v.base[(j + y_shift) * window_side + i + x_shift] =
-              nodes[n] ? nodes[n][q * tile_nodes + j * tile_side + i] : 0.0;
+    for (int row = 0; row < window_side; ++row) {
+      const int j = row - 1, n = j < 0 ? 0 : j < tile_side ? 3 : 6;
+      const int at = q * tile_nodes + (j & (tile_side - 1)) * tile_side;
+      double* out = v.base + row * window_side;
+      out[0] = nodes[n][at + tile_side - 1];
+      store(out + 1, load<Eight>(nodes[n + 1] + at));
+      store(out + 1 + tile_side, load<Pair>(nodes[n + 2] + at));
     }
     // Where the last row and column have no right or upper neighbour, no cell begins.
     constexpr int cells = window_side * (window_side - 1) - 1;
