@@ -1,0 +1,52 @@
+#include "client/commands/command.h"
+
+#include <map>
+
+#include "client/commands/all.h"
+
+namespace trajan::client {
+
+std::span<const Command> commands() {
+  static constexpr Command all[] = {
+      {"run", "run a scene and bring back its results", declare_run},
+      {"check", "say what is wrong with a scene, or what would be modelled", declare_check},
+      {"scenes", "list the gallery, or print one of its scenes", declare_scenes},
+      {"submit", "queue a scene and print the job's id", declare_submit},
+      {"watch", "follow a job to its end", declare_watch},
+      {"history", "print histories as CSV or JSON lines", declare_history},
+      {"fetch", "download a job's result files", declare_fetch},
+      {"plot", "draw histories or their spectra", declare_plot},
+      {"ls", "list jobs, newest first", declare_list},
+      {"show", "show one job", declare_show},
+      {"cancel", "stop jobs", declare_cancel},
+      {"rm", "remove ended jobs and their files", declare_remove},
+      {"serve", "start a server (trajand serve)", declare_serve},
+      {"work", "start a worker (trajand work)", declare_work},
+      {"completion", "print the completion script of a shell", declare_completion},
+  };
+  return all;
+}
+
+void add_output_option(CLI::App& app, OutputFormat& output, const std::vector<std::string>& formats) {
+  static const std::map<std::string, OutputFormat> known{{"table", OutputFormat::table},
+                                                         {"json", OutputFormat::json},
+                                                         {"jsonl", OutputFormat::jsonl},
+                                                         {"csv", OutputFormat::csv}};
+  app.add_option_function<std::string>(
+         "-o,--output", [&output](const std::string& name) { output = known.at(name); }, "Format of the output")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember(formats));
+}
+
+Connection connect(const GlobalOptions& global) { return Connection(configured_address(global.server)); }
+
+std::string resolve_job(Connection& connection, const std::string& job) {
+  if (job != "last") return job;
+  v1::ListJobsRequest request;
+  request.set_page_size(1);
+  const auto response = connection.call(&v1::Jobs::Stub::ListJobs, request);
+  if (response.jobs().empty()) throw CommandError(ExitCode::not_found, "there is no job yet");
+  return response.jobs(0).job_id();
+}
+
+}  // namespace trajan::client

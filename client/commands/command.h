@@ -1,0 +1,49 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "client/connection.h"
+#include "client/table.h"
+
+namespace trajan::client {
+
+/// Options that every command has.
+struct GlobalOptions {
+  std::string server;
+};
+
+/// What the command line asks for; returns the exit code.
+using Action = std::function<ExitCode()>;
+
+/// One word of the command line. The table of them makes the help, the completion and the manual.
+struct Command {
+  const char* name;
+  const char* summary;
+  /// Declares options and arguments, and the callback that sets `action`. `global` and `action` outlive `app`.
+  void (*declare)(CLI::App& app, const GlobalOptions& global, Action& action);
+};
+
+/// All of them, in the order of the help.
+std::span<const Command> commands();
+
+/// Sets `action` to `perform(global, options)` when the command is given.
+template <typename Options>
+void set_action(CLI::App& app, const GlobalOptions& global, Action& action, std::shared_ptr<Options> options,
+                ExitCode (*perform)(const GlobalOptions&, const Options&)) {
+  app.callback([&global, &action, options, perform] {
+    action = [&global, options, perform] { return perform(global, *options); };
+  });
+}
+
+/// `-o, --output FORMAT`, one of `formats`.
+void add_output_option(CLI::App& app, OutputFormat& output, const std::vector<std::string>& formats);
+
+Connection connect(const GlobalOptions& global);
+
+/// The job's id; `last` is the newest job. Throws CommandError.
+std::string resolve_job(Connection& connection, const std::string& job);
+
+}  // namespace trajan::client

@@ -1,0 +1,207 @@
+#include "client/history_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "client/gnuplot.h"
+#include "client/private_server.h"
+#include "client/spectrum.h"
+
+namespace trajan::client {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Curves that share a vertical axis.
+struct Panel {
+  std::string label;  ///< of the vertical axis
+  std::vector<std::size_t> columns;
+};
+
+/// What a column shows, without whose and which component: `tip.velocity.x` shows "velocity".
+std::string kind_of(const std::string& column) {
+  const std::size_t first = column.find('.');
+  const std::size_t last = column.rfind('.');
+  if (first == std::string::npos) return column;
+  const std::string group = column.substr(0, first);
+  if (column == "energies.balance_error") return "energy balance error";
+  if (group == "energies") return "energy";
+  return first == last ? group : column.substr(first + 1, last - first - 1);
+}
+
+std::vector<Panel> panels_of(const History& history, const PictureNotes& notes) {
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < history.columns.size(); ++i) {
+    const std::string label = with_unit(kind_of(history.columns[i]), notes.units.of_column(history.columns[i]));
+    auto panel = std::find_if(panels.begin(), panels.end(), [&](const Panel& p) { return p.label == label; });
+    if (panel == panels.end()) panel = panels.insert(panels.end(), Panel{label, {}});
+    panel->columns.push_back(i);
+  }
+  return panels;
+}
+
+/// Curves as columns of text: `x y`, one file each.
+void write_curve(const fs::path& file, std::span<const double> x, std::span<const double> y) {
+  std::ofstream out(file);
+  for (std::size_t i = 0; i < x.size(); ++i) out << fmt::format("{:.9g} {:.9g}\n", x[i], y[i]);
+}
+
+/// The smallest and largest value of each stretch: what a picture can show of a long history.
+void write_thinned(const fs::path& file, std::span<const double> x, std::span<const double> y) {
+  constexpr std::size_t most_points = 8000;  // a few for each pixel
+  if (x.size() <= most_points) return write_curve(file, x, y);
+  std::vector<double> thin_x;
+  std::vector<double> thin_y;
+  const std::size_t stretch = 2 * x.size() / most_points + 1;
+  for (std::size_t begin = 0; begin < x.size(); begin += stretch) {
+    const auto piece = y.subspan(begin, std::min(stretch, x.size() - begin));
+    const auto [smallest, largest] = std::minmax_element(piece.begin(), piece.end());
+    for (const auto point : {std::min(smallest, largest), std::max(smallest, largest)}) {
+      thin_x.push_back(x[begin + static_cast<std::size_t>(point - piece.begin())]);
+      thin_y.push_back(*point);
+    }
+  }
+  write_curve(file, thin_x, thin_y);
+}
+
+std::string curve_file(const fs::path& folder, std::size_t column) {
+  return (folder / fmt::format("curve{}", column)).string();
+}
+
+/// `plot …` for one panel: the curves, then what is exact, dashed in black on top.
+std::string plot_command(const Panel& panel, const History& history, const PictureNotes& notes,
+                         const fs::path& folder) {
+  std::vector<std::string> items;
+  std::size_t colour = 0;
+  for (const std::size_t column : panel.columns) {
+    items.push_back(fmt::format("{} using 1:2 with lines linewidth 2 linecolor '{}' title {} noenhanced",
+                                gnuplot_text(curve_file(folder, column)), line_colour(colour++),
+                                gnuplot_text(history.columns[column])));
+  }
+  bool named = false;
+  const auto add_exact = [&](const std::string& function) {
+    items.push_back(fmt::format("{} with lines linewidth 1.5 linecolor '#000000' dashtype (10,8) {}", function,
+                                named ? "notitle" : "title 'exact'"));
+    named = true;
+  };
+  for (const std::size_t column : panel.columns) {
+    for (const auto& curve : notes.curves) {
+      if (curve.column == history.columns[column]) add_exact(curve.expression);
+    }
+    for (const auto& exact : notes.values) {
+      if (exact.column == history.columns[column])
+        add_exact(fmt::format("(x >= {} ? {} : NaN)", exact.from, exact.value));
+    }
+  }
+  return fmt::format("plot {}\n", fmt::join(items, ", \\\n     "));
+}
+
+/// All panels above each other with one horizontal axis.
+std::string panels_script(const std::vector<Panel>& panels, const std::string& x_label,
+                          const std::vector<std::string>& commands) {
+  std::string script = fmt::format(
+      "set multiplot layout {},1\n"
+      "set lmargin at screen 0.13\nset rmargin at screen 0.96\n"
+      "set key outside top left horizontal Left reverse noenhanced samplen 2 spacing 1.1\n"
+      "set format y '%.4h'\nset offsets 0, 0, graph 0.05, graph 0.05\n",
+      panels.size());
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const bool last = i + 1 == panels.size();
+    script += fmt::format("set ylabel {} noenhanced offset -1.5\nset xlabel {} noenhanced\n",
+                          gnuplot_text(panels[i].label), gnuplot_text(last ? x_label : ""));
+    script += commands[i];
+  }
+  return script + "unset multiplot\n";
+}
+
+int picture_height(std::size_t panels) { return std::max(1000, 200 + 500 * static_cast<int>(panels)); }
+
+void require_rows(const History& history, std::size_t least) {
+  if (history.columns.empty() || history.time.size() < least) {
+    throw CommandError(ExitCode::not_found, fmt::format("there are {} rows of {} columns: too few to draw",
+                                                        history.time.size(), history.columns.size()));
+  }
+}
+
+}  // namespace
+
+PictureNotes picture_notes(const v1::Job& job) {
+  PictureNotes notes;
+  const v1::Scene& scene = job.scene();
+  notes.units = UnitLabels(scene.units());
+  const auto definitions = gnuplot_constants(scene);
+  notes.definitions = definitions.value_or("");
+  for (const v1::Measure& measure : scene.measures()) {
+    if (measure.has_deviation() && definitions) {
+      const auto expression = gnuplot_expression(measure.deviation().exact_history(), scene);
+      if (expression) notes.curves.push_back({measure.quantity(), *expression});
+    }
+    if (!measure.has_final() && !measure.has_mean() && !measure.has_extreme()) continue;
+    for (const v1::MeasureValue& value : job.measures()) {
+      if (value.name() == measure.name() && value.has_exact()) {
+        notes.values.push_back({measure.quantity(), value.exact(), measure.from()});
+      }
+    }
+  }
+  return notes;
+}
+
+History select_measured(const History& history, const v1::Job& job) {
+  std::set<std::string> wanted;
+  for (const v1::MeasureValue& measure : job.measures()) wanted.insert(measure.quantity());
+  History selected;
+  selected.time = history.time;
+  for (std::size_t i = 0; i < history.columns.size(); ++i) {
+    const std::string& column = history.columns[i];
+    const bool of_probe = !column.starts_with("energies.") && !column.starts_with("momentum.");
+    if (wanted.empty() ? !of_probe : !wanted.contains(column)) continue;
+    selected.columns.push_back(column);
+    selected.values.push_back(history.values[i]);
+  }
+  return selected;
+}
+
+void draw_histories(const History& history, const PictureNotes& notes, const fs::path& picture) {
+  require_rows(history, 2);
+  const TemporaryFolder folder;
+  for (std::size_t i = 0; i < history.columns.size(); ++i) {
+    write_thinned(curve_file(folder.path(), i), history.time, history.values[i]);
+  }
+  const std::vector<Panel> panels = panels_of(history, notes);
+  std::vector<std::string> commands;
+  for (const Panel& panel : panels) commands.push_back(plot_command(panel, history, notes, folder.path()));
+  run_gnuplot(gnuplot_opening(picture, 1600, picture_height(panels.size())) + notes.definitions +
+                  fmt::format("set xrange [{}:{}]\n", history.time.front(), history.time.back()) +
+                  panels_script(panels, with_unit("time", notes.units.time()), commands),
+              folder.path());
+}
+
+void draw_spectra(const History& history, const PictureNotes& notes, const fs::path& picture) {
+  require_rows(history, 4);
+  const TemporaryFolder folder;
+  double highest = 0;
+  for (std::size_t i = 0; i < history.columns.size(); ++i) {
+    const Spectrum spectrum = amplitude_spectrum(history.time, history.values[i]);
+    write_curve(curve_file(folder.path(), i), spectrum.frequency, spectrum.amplitude);
+    highest = spectrum.frequency.back();
+  }
+  std::vector<Panel> panels = panels_of(history, notes);
+  std::vector<std::string> commands;
+  PictureNotes without_exact;
+  for (Panel& panel : panels) {
+    panel.label = "amplitude of " + panel.label;
+    commands.push_back(plot_command(panel, history, without_exact, folder.path()));
+  }
+  const std::string unit = notes.units.time() == "s"    ? "Hz"
+                           : notes.units.time().empty() ? ""
+                                                        : "1/" + notes.units.time();
+  run_gnuplot(gnuplot_opening(picture, 1600, picture_height(panels.size())) +
+                  fmt::format("set xrange [0:{}]\nset logscale y\n", highest) +
+                  panels_script(panels, with_unit("frequency", unit), commands),
+              folder.path());
+}
+
+}  // namespace trajan::client

@@ -1,0 +1,83 @@
+#include "client/job_table.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <google/protobuf/util/json_util.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "client/progress_display.h"
+#include "client/terminal.h"
+
+namespace trajan::client {
+namespace {
+
+double seconds_of(const google::protobuf::Timestamp& time) {
+  return static_cast<double>(time.seconds()) + 1e-9 * time.nanos();
+}
+
+Cell progress_of(const v1::Job& job) {
+  if (job.state() == v1::SUCCEEDED) return std::string("100 %");
+  if (!job.has_progress() || job.progress().end_time() <= 0) return {};
+  return fmt::format("{:.0f} %", std::floor(100 * job.progress().time() / job.progress().end_time()));
+}
+
+Cell time_taken(const v1::Job& job) {
+  if (!job.has_started()) return {};
+  const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  const double end = job.has_ended() ? seconds_of(job.ended()) : now;
+  return duration_for_people(end - seconds_of(job.started()));
+}
+
+Cell labels_of(const v1::Job& job) {
+  std::string text;
+  for (const auto& [key, value] : std::map<std::string, std::string>(job.labels().begin(), job.labels().end())) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", key, value);
+  }
+  return text.empty() ? Cell() : Cell(text);
+}
+
+Cell verdict_of(const v1::MeasureValue& measure) {
+  if (!measure.has_error() || !measure.has_tolerance()) return {};
+  return std::string(std::abs(measure.error()) <= measure.tolerance() ? "ok" : "off");
+}
+
+}  // namespace
+
+std::optional<std::string> time_text(const google::protobuf::Timestamp& time) {
+  if (time.seconds() == 0) return std::nullopt;
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(static_cast<std::time_t>(time.seconds())));
+}
+
+Table job_table(std::span<const v1::Job* const> jobs) {
+  Table table{{"job", "state", "scene", "progress", "submitted", "took", "labels"}, {}};
+  for (const v1::Job* job : jobs) {
+    const auto submitted = time_text(job->submitted());
+    table.rows.push_back({job->job_id(), state_name(job->state()), job->scene_name(), progress_of(*job),
+                          submitted ? Cell(*submitted) : Cell(), time_taken(*job), labels_of(*job)});
+  }
+  return table;
+}
+
+Table measure_table(const v1::Job& job) {
+  Table table{{"measure", "value", "exact", "error", "tolerance", "verdict"}, {}};
+  for (const v1::MeasureValue& measure : job.measures()) {
+    table.rows.push_back({measure.name(), measure.value(), measure.has_exact() ? Cell(measure.exact()) : Cell(),
+                          measure.has_error() ? Cell(measure.error()) : Cell(),
+                          measure.has_tolerance() ? Cell(measure.tolerance()) : Cell(), verdict_of(measure)});
+  }
+  return table;
+}
+
+std::string json_text(const google::protobuf::Message& message, bool on_one_line) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  options.always_print_primitive_fields = true;
+  options.add_whitespace = !on_one_line;
+  std::string text;
+  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
+  return status.ok() ? text : "null";
+}
+
+}  // namespace trajan::client

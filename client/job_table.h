@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "client/table.h"
+#include "trajan/v1/jobs.pb.h"
+
+namespace trajan::client {
+
+/// One row for each job: what `trajan ls` shows.
+Table job_table(std::span<const v1::Job* const> jobs);
+
+/// One row for each measure: value, exact value, error, expected tolerance and verdict: "ok" within the
+/// tolerance, "off" outside, nothing if there is no tolerance.
+Table measure_table(const v1::Job& job);
+
+/// "2026-03-01 12:30:05" in local time; nothing if the time is not set.
+std::optional<std::string> time_text(const google::protobuf::Timestamp& time);
+
+/// The message as JSON with the field names of the schema.
+std::string json_text(const google::protobuf::Message& message, bool on_one_line);
+
+}  // namespace trajan::client
