@@ -64,10 +64,20 @@ hsize_t Dataset::rows() const {
 
 void Dataset::refresh() { check(H5Drefresh(dataset_), "refresh " + name_); }
 
-void Dataset::require_rows(hsize_t needed) const {
+void Dataset::require_rows(hsize_t needed, hsize_t file_bytes) const {
   if (rows() < needed)
     throw std::runtime_error("cannot keep " + std::to_string(needed) + " rows of " + name_ + ": it has " +
                              std::to_string(rows()));
+  for (hsize_t row = 0; row < needed; row += chunk_rows_) {
+    const std::array<hsize_t, 2> place = {row, 0};
+    unsigned skipped_filters = 0;
+    haddr_t address = HADDR_UNDEF;
+    hsize_t size = 0;
+    check(H5Dget_chunk_info_by_coord(dataset_, place.data(), &skipped_filters, &address, &size),
+          "find the rows of " + name_);
+    if (address == HADDR_UNDEF || address + size > file_bytes)
+      throw std::runtime_error("cannot keep the rows of " + name_ + ": the file was cut off");
+  }
 }
 
 void Dataset::resize(hsize_t rows) {

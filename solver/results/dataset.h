@@ -38,10 +38,10 @@ class Dataset {
     read(first, values.size() / width(), memory_type<T>(), values.data());
   }
   /// Drops the rows from `kept` on, and makes the checksum of the last chunk that stays right. Throws if
-  /// there are not that many rows.
+  /// the first `file_bytes` of the file do not hold the rows before.
   template <typename T>
-  void cut(hsize_t kept) {
-    require_rows(kept);
+  void cut(hsize_t kept, hsize_t file_bytes) {
+    require_rows(kept, file_bytes);
     const hsize_t chunk_start = kept / chunk_rows_ * chunk_rows_;
     std::vector<T> last((kept - chunk_start) * width());
     read<T>(chunk_start, last);
@@ -56,7 +56,7 @@ class Dataset {
   hsize_t width() const { return components_ ? components_ : 1; }
   Handle select(hsize_t first, hsize_t count) const;
   Handle memory_space(hsize_t count) const;
-  void require_rows(hsize_t rows) const;
+  void require_rows(hsize_t needed, hsize_t file_bytes) const;
   void resize(hsize_t rows);
   void write(hsize_t first, hsize_t count, hid_t type, const void* values);
   void read(hsize_t first, hsize_t count, hid_t type, void* values) const;

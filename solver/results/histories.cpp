@@ -150,9 +150,9 @@ void Histories::write_values(hsize_t first, std::span<const double> values) {
   }
 }
 
-void Histories::cut(hsize_t rows) {
-  for (Table& table : tables_) table.data.cut<double>(rows);
-  time_.cut<double>(rows);
+void Histories::cut(hsize_t rows, hsize_t file_bytes) {
+  for (Table& table : tables_) table.data.cut<double>(rows, file_bytes);
+  time_.cut<double>(rows, file_bytes);
 }
 
 bool Histories::holds_any(const Table& table, std::span<const std::size_t> selected) const {

@@ -30,8 +30,8 @@ class Histories {
   void write_values(hsize_t first, std::span<const double> values);
   /// Commits the rows whose values have been written and flushed.
   void write_times(hsize_t first, std::span<const double> times) { time_.write(first, times); }
-  /// Drops all rows from `rows` on.
-  void cut(hsize_t rows);
+  /// Drops all rows from `rows` on. Throws if the first `file_bytes` of the file do not hold the others.
+  void cut(hsize_t rows, hsize_t file_bytes);
   /// `count` rows from `first` on; `values` becomes (count, selected.size()) row-major.
   void read(hsize_t first, hsize_t count, std::span<const std::size_t> selected, std::vector<double>& time,
             std::vector<double>& values) const;

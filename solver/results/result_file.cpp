@@ -23,6 +23,7 @@ std::unique_ptr<ResultFile> ResultFile::create(const std::filesystem::path& path
 
 std::unique_ptr<ResultFile> ResultFile::repair(const std::filesystem::path& path, const Model& model,
                                                const Provenance& provenance, std::int64_t last_sample) {
+  const hsize_t file_bytes = std::filesystem::file_size(path);
   std::unique_ptr<ResultFile> result(new ResultFile);
   result->file_ = open_file(path, Access::repair);
   // The superblock of a file that was not closed knows less than the file holds: without this, new
@@ -33,11 +34,11 @@ std::unique_ptr<ResultFile> ResultFile::repair(const std::filesystem::path& path
   result->histories_ = Histories::open(result->file_, Dataset::Checksums::ignore);
   if (result->histories_->columns() != history_columns(model))
     throw std::runtime_error("cannot go on with the file: its columns are not the scene's");
-  result->histories_->cut(static_cast<hsize_t>(last_sample + 1));
+  result->histories_->cut(static_cast<hsize_t>(last_sample + 1), file_bytes);
   if (const std::int64_t period = model.outputs.samples_per_snapshot; period > 0) {
     result->snapshots_ = Snapshots::open(result->file_, model);
     const auto due = static_cast<hsize_t>(last_sample / period + 1);
-    result->snapshots_->cut(std::min(due, result->snapshots_->count()));
+    result->snapshots_->cut(std::min(due, result->snapshots_->count()), file_bytes);
   }
   result->start_concurrent_reading();
   return result;

@@ -208,13 +208,13 @@ void Snapshots::write_time(hsize_t index, double time) { times_.write<double>(in
 
 void Snapshots::write_count(hsize_t count) { set_attribute(steps_, "NSteps", static_cast<std::int64_t>(count)); }
 
-void Snapshots::cut(hsize_t count) {
+void Snapshots::cut(hsize_t count, hsize_t file_bytes) {
   write_count(count);
-  times_.cut<double>(count);
-  parts_.cut<std::int64_t>(count);
-  for (Dataset& offsets : offsets_) offsets.cut<std::int64_t>(count);
-  for (Dataset& field : fields_) field.cut<double>(count * particles_);
-  points_.cut<double>(count * particles_);
+  times_.cut<double>(count, file_bytes);
+  parts_.cut<std::int64_t>(count, file_bytes);
+  for (Dataset& offsets : offsets_) offsets.cut<std::int64_t>(count, file_bytes);
+  for (Dataset& field : fields_) field.cut<double>(count * particles_, file_bytes);
+  points_.cut<double>(count * particles_, file_bytes);
 }
 
 }  // namespace trajan::results

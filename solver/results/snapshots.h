@@ -29,8 +29,8 @@ class Snapshots {
   /// Commits a snapshot whose arrays have been written and flushed.
   void write_time(hsize_t index, double time);
   void write_count(hsize_t count);
-  /// Drops the snapshots from `count` on.
-  void cut(hsize_t count);
+  /// Drops the snapshots from `count` on. Throws if the first `file_bytes` of the file do not hold the others.
+  void cut(hsize_t count, hsize_t file_bytes);
 
  private:
   void write_field(hsize_t index, Dataset& data, std::span<const std::string_view> components,

@@ -132,7 +132,7 @@ void record(ResultWriter& writer, const Model& model, const Plan& plan) {
 }
 
 FinishedFile run_to_end(const std::filesystem::path& directory, const Model& model, const Plan& plan) {
-  const auto writer = ResultWriter::open(directory, model, provenance(), std::chrono::milliseconds(0));
+  const auto writer = ResultWriter::open(directory, model, provenance());
   record(*writer, model, plan);
   return writer->finish(Status::succeeded, measure_values(model), {});
 }

@@ -173,6 +173,21 @@ TEST(Results, ARunThatEndsEarlierThanItsInterruptedPredecessorHasNoRowsOfIt) {
   EXPECT_EQ(integer_attribute(open_group(file, "VTKHDF/Steps"), "NSteps"), 7);  // samples 0, 5, …, 30
 }
 
+TEST(Results, SamplesAreCommittedTogetherAndAtTheLatestByACheckpoint) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(20, 0);
+  const auto writer = ResultWriter::open(directory.path(), model, provenance(), std::chrono::hours(1));
+  Plan plan;
+  plan.samples_per_checkpoint = 10;
+  std::vector<std::int64_t> durable;
+  plan.after_sample = [&](std::int64_t) { durable.push_back(writer->durable_rows()); };
+  record(*writer, model, plan);
+  EXPECT_EQ(durable[0], 0);
+  for (std::int64_t row = 1; row <= 10; ++row) EXPECT_EQ(durable[row], 1) << row;
+  for (std::int64_t row = 11; row <= 20; ++row) EXPECT_EQ(durable[row], 11) << row;
+  EXPECT_EQ(writer->durable_rows(), 21);
+}
+
 TEST(Results, TwoWritersNeverShareADirectory) {
   const TemporaryDirectory directory;
   const Model model = make_model(20, 4);
