@@ -175,7 +175,7 @@ Diagnostic SceneText::locate(const v1::Violation& violation) const {
   diagnostic.path = violation.path();
   diagnostic.message =
       violation.path().empty() ? violation.problem() : violation.path() + ": " + violation.problem();
-  if (!violation.value().empty()) diagnostic.message += fmt::format(" (it is {})", violation.value());
+  if (!violation.value().empty()) diagnostic.message += fmt::format(" (got {})", violation.value());
   diagnostic.hint = violation.remedy();
   const SceneOutline::Match match = outline_->find(violation.path());
   if (match.field == -1) return diagnostic;

@@ -16,6 +16,7 @@ std::span<const Command> commands() {
       {"history", "print histories as CSV or JSON lines", declare_history},
       {"fetch", "download a job's result files", declare_fetch},
       {"plot", "draw histories or their spectra", declare_plot},
+      {"render", "draw the particles, coloured by a field", declare_render},
       {"ls", "list jobs, newest first", declare_list},
       {"show", "show one job", declare_show},
       {"cancel", "stop jobs", declare_cancel},
