@@ -71,30 +71,34 @@ std::string curve_file(const fs::path& folder, std::size_t column) {
   return (folder / fmt::format("curve{}", column)).string();
 }
 
+/// The first thing that is exactly known of a column, as gnuplot's function of x; empty if there is none.
+std::string exact_function(const std::string& column, const PictureNotes& notes) {
+  for (const auto& curve : notes.curves) {
+    if (curve.column == column) return curve.expression;
+  }
+  for (const auto& exact : notes.values) {
+    if (exact.column == column) return fmt::format("(x >= {} ? {} : NaN)", exact.from, exact.value);
+  }
+  return {};
+}
+
 /// `plot …` for one panel: the curves, then what is exact, dashed in black on top.
 std::string plot_command(const Panel& panel, const History& history, const PictureNotes& notes,
                          const fs::path& folder) {
   std::vector<std::string> items;
   std::size_t colour = 0;
   for (const std::size_t column : panel.columns) {
-    items.push_back(fmt::format("{} using 1:2 with lines linewidth 2 linecolor '{}' title {} noenhanced",
+    items.push_back(fmt::format("{} using 1:2 with lines linewidth 2.5 linecolor '{}' title {} noenhanced",
                                 gnuplot_text(curve_file(folder, column)), line_colour(colour++),
                                 gnuplot_text(history.columns[column])));
   }
   bool named = false;
-  const auto add_exact = [&](const std::string& function) {
-    items.push_back(fmt::format("{} with lines linewidth 1.5 linecolor '#000000' dashtype (10,8) {}", function,
+  for (const std::size_t column : panel.columns) {
+    const std::string exact = exact_function(history.columns[column], notes);
+    if (exact.empty()) continue;
+    items.push_back(fmt::format("{} with lines linewidth 1.2 linecolor '#000000' dashtype (10,8) {}", exact,
                                 named ? "notitle" : "title 'exact'"));
     named = true;
-  };
-  for (const std::size_t column : panel.columns) {
-    for (const auto& curve : notes.curves) {
-      if (curve.column == history.columns[column]) add_exact(curve.expression);
-    }
-    for (const auto& exact : notes.values) {
-      if (exact.column == history.columns[column])
-        add_exact(fmt::format("(x >= {} ? {} : NaN)", exact.from, exact.value));
-    }
   }
   return fmt::format("plot {}\n", fmt::join(items, ", \\\n     "));
 }
@@ -104,14 +108,16 @@ std::string panels_script(const std::vector<Panel>& panels, const std::string& x
                           const std::vector<std::string>& commands) {
   std::string script = fmt::format(
       "set multiplot layout {},1\n"
-      "set lmargin at screen 0.13\nset rmargin at screen 0.96\n"
-      "set key outside top left horizontal Left reverse noenhanced samplen 2 spacing 1.1\n"
-      "set format y '%.4h'\nset offsets 0, 0, graph 0.05, graph 0.05\n",
+      "set lmargin at screen 0.15\nset rmargin at screen 0.96\n"
+      "set key outside top left horizontal Left reverse noenhanced samplen 2 spacing 1.1 width 2\n"
+      "set format y '%.7h'\nset minussign\nset offsets 0, 0, graph 0.05, graph 0.05\n",
       panels.size());
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const bool last = i + 1 == panels.size();
-    script += fmt::format("set ylabel {} noenhanced offset -1.5\nset xlabel {} noenhanced\n",
-                          gnuplot_text(panels[i].label), gnuplot_text(last ? x_label : ""));
+    // A label at a fixed place, so that the panels' labels stand in one line.
+    script += fmt::format(
+        "set label 1 {} at screen 0.025, graph 0.5 center rotate noenhanced\nset xlabel {} noenhanced\n",
+        gnuplot_text(panels[i].label), gnuplot_text(last ? x_label : ""));
     script += commands[i];
   }
   return script + "unset multiplot\n";

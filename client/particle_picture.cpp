@@ -116,7 +116,7 @@ void draw_particles(const ParticlePicture& particles, const RenderStyle& style, 
                         x.upper + margin, y.lower - margin, y.upper + margin, value.lower - spread,
                         value.upper + spread);
   script += fmt::format(
-      "unset grid\nunset key\nset format cb '%.3h'\nset colorbox border linecolor '#404040'\n"
+      "unset grid\nunset key\nset format cb '%.3h'\nset colorbox\n"
       "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\nset cblabel {} noenhanced "
       "offset 1.5\n",
       gnuplot_text(title), gnuplot_text(with_unit("x", units.length())),

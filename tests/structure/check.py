@@ -12,7 +12,7 @@ MAXIMUM_LINES = {".h": 150, ".cpp": 400}
 
 # Headers that only one place may include: pattern -> folders.
 OWNERS = {
-    r"(H5\w*|hdf5\w*)\.h$": ("solver/results/", "tests/"),
+    r"(H5\w*|hdf5\w*)\.h$": ("solver/results/", "client/snapshot_file", "tests/"),
     r"sqlite3\.h$": ("server/store", "tests/"),
     r"\.pb\.h$|^(grpcpp|google/protobuf)/": ("server/", "client/", "tests/"),
     r"^server/": ("server/", "tests/"),
