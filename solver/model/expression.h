@@ -14,7 +14,7 @@ using Constants = std::map<std::string, double>;
 /// nothing that changes; one object must not be evaluated by two threads at once.
 class Expression {
  public:
-  static constexpr std::size_t longest = 4096;  ///< characters
+  static constexpr std::size_t longest = 1024;  ///< characters; muParser takes time with their square
   static constexpr int deepest = 64;            ///< nested parentheses and conditions
 
   /// `variables`: the letters of "xyt" that the formula may use.

@@ -126,6 +126,12 @@ void Validator::check_names(const std::string& path, const std::vector<std::stri
 
 std::optional<Expression> Validator::formula(const std::string& path, const std::string& text,
                                              const std::string& variables, Vector at, double t) {
+  formula_characters_ += std::min(text.size(), Expression::longest);
+  if (formula_characters_ > most_formula_characters) {
+    violations_.add(path, text, "the scene's formulas are too long",
+                    "give at most " + std::to_string(most_formula_characters) + " characters in all of them");
+    return std::nullopt;
+  }
   try {
     Expression expression(text, variables, constants_);
     const double value = expression(at.x, at.y, t);

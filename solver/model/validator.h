@@ -23,6 +23,7 @@ class Validator {
   static constexpr double most_particles = 1e9;
   static constexpr double most_cells = 1 << 30;  ///< along an axis
   static constexpr double most_selected = 1e7;   ///< particles that all mean probes list together
+  static constexpr std::size_t most_formula_characters = 200'000;  ///< of all formulas together
   static constexpr double most_load_points = 1e6;
   static constexpr double most_history_values = 1e9;
   static constexpr double node_tolerance = 1e-9;  ///< cell sizes
@@ -92,6 +93,7 @@ class Validator {
   std::set<std::string> broken_probes_;
   std::vector<bool> body_complete_;
   std::map<std::string, std::size_t, std::less<>> body_index_;
+  std::size_t formula_characters_ = 0;
   double load_points_ = 0;
   double selected_ = 0;
 };

@@ -76,11 +76,11 @@ TEST(Expression, RefusesFormulasThatAreTooLongOrTooDeep) {
   std::string sum = "1";
   while (sum.size() + 2 <= Expression::longest) sum += "+1";
   EXPECT_EQ(complaint(sum), "");
-  EXPECT_THAT(complaint(sum + "+1"), HasSubstr("more than 4096 characters"));
+  EXPECT_THAT(complaint(sum + "+1"), HasSubstr("more than 1024 characters"));
   const std::string open(Expression::deepest, '('), close(Expression::deepest, ')');
   EXPECT_EQ(complaint(open + "1" + close), "");
   EXPECT_THAT(complaint("(" + open + "1" + close + ")"), HasSubstr("nested too deeply"));
-  EXPECT_THAT(complaint(std::string(1'000'000, '(')), HasSubstr("4096"));
+  EXPECT_THAT(complaint(std::string(1'000'000, '(')), HasSubstr("1024"));
 }
 
 TEST(Expression, KeepsTheMeaningsThatFormulasGiveToNames) {

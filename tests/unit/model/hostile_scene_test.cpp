@@ -107,6 +107,14 @@ TEST(HostileScene, WithTooManyEntriesIsRefusedByCounting) {
                                                       "outputs.probes", "measures"}));
 }
 
+TEST(HostileScene, WithTooManyLongFormulasIsRefusedByCounting) {
+  Scene scene = sample_scene();
+  std::string formula = "1";
+  while (formula.size() < 1000) formula += "*1";
+  for (int i = 0; i < 900; ++i) scene.constants.push_back({std::string("k").append(std::to_string(i)), formula});
+  EXPECT_THAT(paths_of(scene), Contains("constants[903].value"));
+}
+
 TEST(HostileScene, WithVeryLongTextsHasShortViolations) {
   Scene scene = sample_scene();
   const std::string text(10'000'000, 'a');
