@@ -76,7 +76,7 @@ TEST_F(HostileScenes, RandomBytesAreRefusedCalmly) {
 
 TEST_F(HostileScenes, ScenesWithChangedTextKeepThePromises) {
   SceneMutator mutator(2);
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 60; ++round) {
     for (const auto& [name, seed] : seeds()) {
       std::string text = seed;
       for (std::size_t i = 0; i <= mutator.below(3); ++i) text = mutator.mutate(text);
@@ -84,13 +84,13 @@ TEST_F(HostileScenes, ScenesWithChangedTextKeepThePromises) {
     }
   }
   // Changes in comments and numbers leave many scenes readable; otherwise this would test the parser alone.
-  EXPECT_GT(fates_[SceneFate::unreadable], 100);
-  EXPECT_GT(fates_[SceneFate::invalid] + fates_[SceneFate::valid], 100);
+  EXPECT_GT(fates_[SceneFate::unreadable], 50);
+  EXPECT_GT(fates_[SceneFate::invalid] + fates_[SceneFate::valid], 50);
 }
 
 TEST_F(HostileScenes, ScenesWithChangedFieldsKeepThePromises) {
   SceneMutator mutator(3);
-  for (int round = 0; round < 500; ++round) {
+  for (int round = 0; round < 200; ++round) {
     for (const auto& [name, seed] : seeds()) {
       v1::Scene scene;
       ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(seed, &scene)) << name;
