@@ -255,6 +255,42 @@ TEST(ConvertScene, PlaneStressIsTheOtherDimension) {
   EXPECT_EQ(to_scene(parse("domain { dimension: PLANE_STRESS }")).domain.dimension, Dimension::plane_stress);
 }
 
+std::vector<Violation> violations_of(const v1::Scene& scene) {
+  try {
+    validate(to_scene(scene));
+    return {};
+  } catch (const InvalidScene& invalid) {
+    return invalid.violations();
+  }
+}
+
+TEST_F(EveryField, ViolationsNameFieldsOfTheMessage) {
+  const std::vector<Violation> violations = violations_of(message_);
+  EXPECT_GE(violations.size(), 10u) << "its numbers tell fields apart, they make no sense together";
+  for (const Violation& violation : violations) {
+    EXPECT_TRUE(testing::names_a_field(message_, violation.path)) << violation.path;
+  }
+}
+
+TEST(ConvertScene, ViolationsOfAnEmptySceneNameWhatIsMissing) {
+  std::vector<std::string> paths;
+  for (const Violation& violation : violations_of(v1::Scene())) paths.push_back(violation.path);
+  EXPECT_THAT(paths, ::testing::IsSupersetOf({"name", "domain.dimension", "domain.cell_size", "materials",
+                                              "bodies", "analysis.end_time"}));
+}
+
+TEST(SceneSchema, TellsPathsOfFieldsFromOthers) {
+  const v1::Scene scene = parse("bodies { geometry { disc {} } } constants {}");
+  for (const char* path : {"name", "bodies", "bodies[0]", "bodies[0].geometry.disc.radius",
+                           "bodies[0].geometry.shape", "domain.lower.x"}) {
+    EXPECT_TRUE(testing::names_a_field(scene, path)) << path;
+  }
+  for (const char* path : {"", "nam", "name.x", "bodies[1]", "bodies.name", "name[0]",
+                           "bodies[0].geometry.shape.disc", "bodies[0]. name", "bodies[-1]", "bodies[0"}) {
+    EXPECT_FALSE(testing::names_a_field(scene, path)) << path;
+  }
+}
+
 TEST(ConvertAnswers, ViolationKeepsItsFourTexts) {
   const v1::Violation message = to_proto(Violation{"a[0].b", "value", "problem", "remedy"});
   EXPECT_EQ(message.path(), "a[0].b");
