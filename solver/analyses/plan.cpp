@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "solver/analyses/run.h"
@@ -13,7 +14,7 @@ ModelPlan plan(const Model& model) {
   plan.time_step_limit = limit.because;
   const double largest = model.numerics.time_step.value_or(model.numerics.time_step_fraction * limit.value);
   const double interval = model.end_time / static_cast<double>(model.outputs.samples);
-  const double in_interval = std::ceil(interval / largest - 1e-9);
+  const double in_interval = std::max(1.0, std::ceil(interval / largest - 1e-9));
   plan.time_step = interval / in_interval;
   plan.steps = static_cast<std::int64_t>(in_interval) * model.outputs.samples;
 
