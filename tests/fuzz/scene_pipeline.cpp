@@ -69,6 +69,17 @@ void check_places(const client::SceneText& read, const std::vector<Violation>& v
     require(!diagnostic.message.empty(), "a diagnostic says nothing");
 }
 
+void check_plan(const Model& model, const ModelPlan& plan) {
+  require(plan.particles > 0 && plan.particles == model.particle_count(),
+          "the plan's particles are not the model's");
+  require(plan.active_cells > 0, "the plan has no cells");
+  require(std::isfinite(plan.time_step) && plan.time_step > 0, "the plan's time step is not a positive number");
+  require(plan.steps > 0, "the plan has no steps");
+  require(!plan.time_step_limit.empty(), "the plan does not say what limits the time step");
+  require(plan.memory_bytes > 0, "the plan needs no memory");
+  require(passes_the_wire(to_proto(plan)), "the plan cannot be sent");
+}
+
 }  // namespace
 
 SceneFate run_pipeline(const std::string& text) {
@@ -78,7 +89,7 @@ SceneFate run_pipeline(const std::string& text) {
   if (!read.has_structure() || !passes_the_wire(message)) return SceneFate::unreadable;
   try {
     const Model model = validate(to_scene(message));
-    require(model.particle_count() > 0, "a valid scene has no particles");
+    check_plan(model, plan(model));
     return read.diagnostics().empty() ? SceneFate::valid : SceneFate::unreadable;
   } catch (const InvalidScene& invalid) {
     require(!invalid.violations().empty(), "an invalid scene has no violation");
