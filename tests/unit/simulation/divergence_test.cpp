@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/schemes/time_step.h"
+#include "tests/unit/simulation/scenes.h"
+
+namespace trajan {
+namespace {
+
+using testing::HasSubstr;
+
+class Stability : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+INSTANTIATE_TEST_SUITE_P(Schemes, Stability,
+                         testing::Combine(testing::Values("USL", "MUSL", "TLMPM"),
+                                          testing::Values("linear_elastic", "neo_hookean")),
+                         [](const auto& named) {
+                           return std::get<0>(named.param) + "_" + std::get<1>(named.param);
+                         });
+
+TEST_P(Stability, EndsAsDivergedWithAStepBeyondTheLimit) {
+  Model model = validate(test::bar(std::get<0>(GetParam()), std::get<1>(GetParam()), 0.5, 0.1));
+  // The limit is that of nodes that move independently; mapping velocities twice, as MUSL and TLMPM do,
+  // halves the highest frequency of a bar, along which waves are slower by sqrt(2) as well.
+  model.numerics.time_step = 4 * time_step_limit(model).value;
+  model.end_time = 100;
+  test::Memory memory;
+  const RunResult result = run(model, {}, memory, nullptr);
+  ASSERT_EQ(result.end, RunEnd::diverged);
+  ASSERT_TRUE(result.divergence);
+  EXPECT_GT(result.divergence->step, 0);
+  EXPECT_GT(result.divergence->time, 0);
+  EXPECT_GE(result.divergence->particle, 0);
+  EXPECT_LT(result.divergence->particle, model.particle_count());
+  EXPECT_FALSE(result.divergence->cause.empty());
+  EXPECT_THAT(result.divergence->remedy, HasSubstr("time_step_fraction"));
+  for (const std::vector<double>& row : memory.rows)
+    for (double value : row) EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST_P(Stability, IsStableAtTheWholeLimit) {
+  Scene scene = test::bar(std::get<0>(GetParam()), std::get<1>(GetParam()), 0.5, 0.1);
+  scene.numerics.time_step_fraction = 1;
+  scene.analysis.end_time = 40;  // ten periods
+  const Model model = validate(scene);
+  test::Memory memory;
+  ASSERT_EQ(run(model, {}, memory, nullptr).end, RunEnd::finished);
+  // Instability multiplies the energy in every step; what is lost or gained without it is small.
+  const std::size_t total = test::column(model, "energies.total");
+  EXPECT_NEAR(memory.rows.back()[total], memory.rows[0][total], 0.05 * memory.rows[0][total]);
+}
+
+TEST(Leaving, TheDomainIsDivergence) {
+  Scene scene = test::discs(0.04);
+  scene.bodies.pop_back();
+  scene.bodies[0].initial_velocity = {"-0.5", {}};
+  const Model model = validate(scene);
+  test::Memory memory;
+  const RunResult result = run(model, {}, memory, nullptr);
+  ASSERT_EQ(result.end, RunEnd::diverged);
+  EXPECT_THAT(result.divergence->cause, HasSubstr("left the domain"));
+  EXPECT_THAT(result.divergence->remedy, HasSubstr("domain"));
+  // The disc touches x = 0 from the beginning: its leftmost particles leave first.
+  ASSERT_FALSE(memory.snapshots.empty());
+  const double x = memory.snapshots[0].position.at(2 * static_cast<std::size_t>(result.divergence->particle));
+  EXPECT_LT(x, 0.01 + 0.5 * result.divergence->time + 0.02);
+}
+
+}  // namespace
+}  // namespace trajan

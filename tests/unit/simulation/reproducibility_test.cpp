@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/simulation/scenes.h"
+
+namespace trajan {
+namespace {
+
+/// Everything that adds up in some order: a collision, so that particles change tiles, with loads.
+Scene busy(const std::string& scheme) {
+  Scene scene = test::discs(0.04);
+  scene.numerics.scheme = scheme;
+  // USL does not survive particles that enter cells with nothing else in them (Asiri 2022, section 3.2.2).
+  scene.analysis = {scheme == "USL" ? 0.1 : 2.5, 0.01};
+  scene.outputs.samples = 10;
+  scene.outputs.snapshots = 2;
+  scene.loads = {{"gravity", BodyForce{{0.01, -0.02}, {"one"}}},
+                 {"push", PointForce{"two", {0.8, 1.0}, {0.1, -0.2}}, Ramp{0, 1, true}}};
+  scene.outputs.probes = {{"edge", Vector{0.2, 0.4}, {Field::displacement, Field::stress}, ""},
+                          {"disc", Region{Disc{{0.2, 0.2}, 0.1}}, {Field::position, Field::velocity}, "one"}};
+  return scene;
+}
+
+class Reproduction : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Schemes, Reproduction, testing::Values("USL", "MUSL", "TLMPM"),
+                         [](const auto& named) { return named.param; });
+
+TEST_P(Reproduction, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Model model = validate(busy(GetParam()));
+  test::Memory one;
+  ASSERT_EQ(run(model, {1, 1e9, {}}, one, nullptr).end, RunEnd::finished);
+  for (int threads : {2, 3}) {
+    test::Memory many;
+    ASSERT_EQ(run(model, {threads, 1e9, {}}, many, nullptr).end, RunEnd::finished);
+    EXPECT_EQ(many.rows, one.rows) << threads;
+    EXPECT_EQ(many.snapshots.back().position, one.snapshots.back().position) << threads;
+  }
+}
+
+TEST_P(Reproduction, GoesOnFromAnyCheckpointWithTheSameBits) {
+  const Model model = validate(busy(GetParam()));
+  test::Memory whole;
+  ASSERT_EQ(run(model, {1, 0, {}}, whole, nullptr).end, RunEnd::finished);
+  ASSERT_EQ(whole.checkpoints.size(), 9u);
+  for (const Checkpoint& checkpoint : whole.checkpoints) {
+    test::Memory rest;
+    ASSERT_EQ(run(model, {2, 1e9, checkpoint}, rest, nullptr).end, RunEnd::finished);
+    for (auto row = static_cast<std::size_t>(checkpoint.sample) + 1; row < whole.rows.size(); ++row)
+      EXPECT_EQ(rest.rows.at(row), whole.rows[row]) << row;
+    EXPECT_EQ(rest.snapshots.back().velocity, whole.snapshots.back().velocity);
+  }
+}
+
+TEST(Stopping, EndsTheRunWhenItIsAskedTo) {
+  Scene scene = test::discs(0.02);
+  scene.analysis.end_time = 1e6;
+  scene.domain.lower = {-1e6, -1e6};
+  scene.domain.upper = {1e6, 1e6};
+  const Model model = validate(scene);
+  test::Memory memory;
+  int asked = 0;
+  const RunResult result = run(model, {}, memory, [&](const RunProgress& progress) {
+    EXPECT_GT(progress.step, 0);
+    return ++asked == 2;
+  });
+  EXPECT_EQ(result.end, RunEnd::stopped);
+  EXPECT_EQ(asked, 2);
+}
+
+}  // namespace
+}  // namespace trajan
