@@ -37,87 +37,78 @@ std::vector<std::size_t> select_columns(const std::vector<std::string>& columns,
 class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
  public:
   HistoryStream(grpc::CallbackServerContext* context, v1::StreamHistoryRequest request, std::int64_t job,
-                store::Store& store, Hub& hub, TaskQueue& queue, std::filesystem::path directory)
-      : Stream(context, job, hub, queue),
+                store::Store& store, Hub& hub, HistoryReading& reading, std::filesystem::path directory)
+      : Stream(context, job, hub, reading.queue),
         request_(std::move(request)),
         store_(store),
+        readers_(reading.readers),
         directory_(std::move(directory)),
         row_(request_.first_row()) {}
 
  private:
   Next next(v1::StreamHistoryResponse& response) final {
     // In this order: rows that were written before the job ended are seen after it.
-    const v1::Job now = read_job();
+    const v1::Job now = store_.read([&](store::Database& database) { return store::get_job(database, job()); });
     const bool ended = store::has_ended(now.state());
-    if (reader_ && now.attempts() != attempt_) reader_.reset();
-    attempt_ = now.attempts();
-    if (!open(ended)) {
+    if (!readable()) {
       if (request_.follow() && !ended) return Next::wait;
       throw ServiceError(grpc::StatusCode::FAILED_PRECONDITION, "NO_HISTORY",
                          "job " + now.job_id() + " has no history" + (ended ? "" : " yet"));
     }
-    const bool rows = read_rows(response, ended);
-    const bool columns = reader_ && !columns_sent_;
-    if (columns) add_columns(response);
-    if (rows || columns) return Next::write;
+    const bool first = selected_.empty();
+    if (!read(response, now.attempts(), ended)) return Next::wait;
+    if (first || response.time_size() > 0) return Next::write;
     return request_.follow() && !ended ? Next::wait : Next::finish;
   }
 
-  /// False if there is no file that can be read now.
-  bool open(bool ended) {
-    if (reader_) return true;
-    try {
-      reader_ = results::HistoryReader::open(directory_);
-    } catch (const std::runtime_error&) {
-      // A file that is about to be created or repaired can be read a little later.
-      if (ended && std::filesystem::exists(directory_ / results::result_name)) throw;
-      return false;
-    }
-    selected_ = select_columns(reader_->columns(), request_.columns());
-    return true;
+  bool readable() const {
+    return std::filesystem::exists(directory_ / results::result_name) ||
+           std::filesystem::exists(directory_ / results::partial_name);
   }
 
-  /// Fills in the next rows, if there are any.
-  bool read_rows(v1::StreamHistoryResponse& response, bool ended) {
+  /// Fills in the next rows, and the columns if this is the first message. False if the file cannot be
+  /// read now: it is just being created, or repaired after a worker was lost.
+  bool read(v1::StreamHistoryResponse& response, int attempt, bool ended) {
+    if (!reader_) reader_ = readers_.share(directory_);
+    try {
+      results::HistoryReader& reader = reader_->get(attempt);
+      if (selected_.empty()) {
+        selected_ = select_columns(reader.columns(), request_.columns());
+        for (const std::size_t index : selected_) response.add_columns(reader.columns()[index]);
+      }
+      read_rows(reader, response);
+      return true;
+    } catch (const ServiceError&) {
+      throw;
+    } catch (const std::runtime_error&) {
+      reader_->close();
+      if (ended && ++failures_ > 1) throw;
+      if (ended) return read(response, attempt, ended);
+      return false;
+    }
+  }
+
+  void read_rows(results::HistoryReader& reader, v1::StreamHistoryResponse& response) {
     constexpr std::int64_t most_bytes = 256 * 1024;
     const auto row_bytes = static_cast<std::int64_t>((selected_.size() + 1) * sizeof(double));
-    try {
-      const std::int64_t count =
-          std::min(reader_->rows() - row_, std::max<std::int64_t>(1, most_bytes / row_bytes));
-      response.set_first_row(row_);
-      if (count <= 0) return false;
-      reader_->read(row_, count, selected_, time_, values_);
-    } catch (const std::runtime_error&) {
-      if (ended) throw;
-      // The worker was lost and another repairs the file: open it again with the next change.
-      reader_.reset();
-      return false;
-    }
+    const std::int64_t most_rows = std::max<std::int64_t>(1, most_bytes / row_bytes);
+    reader.read(row_, most_rows, selected_, time_, values_);
+    response.set_first_row(row_);
     response.mutable_time()->Add(time_.begin(), time_.end());
     response.mutable_values()->Add(values_.begin(), values_.end());
-    row_ += static_cast<std::int64_t>(time_.size());
-    return !time_.empty();
-  }
-
-  void add_columns(v1::StreamHistoryResponse& response) {
-    for (const std::size_t index : selected_) response.add_columns(reader_->columns()[index]);
-    columns_sent_ = true;
-  }
-
-  v1::Job read_job() {
-    return store_.read([&](store::Database& database) { return store::get_job(database, job()); });
+    row_ += std::ssize(time_);
   }
 
   const v1::StreamHistoryRequest request_;
   store::Store& store_;
+  HistoryReaders& readers_;
   const std::filesystem::path directory_;
-  std::unique_ptr<results::HistoryReader> reader_;
-  int attempt_ = 0;
+  std::shared_ptr<SharedReader> reader_;
   std::vector<std::size_t> selected_;
   std::vector<double> time_;
   std::vector<double> values_;
   std::int64_t row_;
-  bool columns_sent_ = false;
+  int failures_ = 0;
 };
 
 }  // namespace
@@ -125,14 +116,14 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
 grpc::ServerWriteReactor<v1::StreamHistoryResponse>* stream_history(grpc::CallbackServerContext* context,
                                                                     const v1::StreamHistoryRequest& request,
                                                                     store::Store& store, Hub& hub,
-                                                                    TaskQueue& queue,
+                                                                    HistoryReading& reading,
                                                                     const std::filesystem::path& jobs_directory) {
   const std::int64_t job = store::job_number(request.job_id());
   if (request.first_row() < 0) {
     throw ServiceError(grpc::StatusCode::INVALID_ARGUMENT, "FIRST_ROW", "first_row must not be negative");
   }
   return Stream<v1::StreamHistoryResponse>::start(std::make_shared<HistoryStream>(
-      context, request, job, store, hub, queue, jobs_directory / std::to_string(job)));
+      context, request, job, store, hub, reading, jobs_directory / std::to_string(job)));
 }
 
 }  // namespace trajan

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "server/history_readers.h"
 #include "server/hub.h"
 #include "server/store.h"
 #include "server/stream.h"
@@ -10,12 +11,18 @@
 
 namespace trajan {
 
-/// Rows of histories from the result file, of a job that runs or of one that ended. `queue` does the
-/// reading; one thread is enough, as the file library works for one at a time.
+/// The thread that reads histories, and the files that it has open. One thread is enough: the library of
+/// the files works for one at a time.
+struct HistoryReading {
+  HistoryReaders readers;
+  TaskQueue queue{1};
+};
+
+/// Rows of histories from the result file, of a job that runs or of one that ended.
 grpc::ServerWriteReactor<v1::StreamHistoryResponse>* stream_history(grpc::CallbackServerContext* context,
                                                                     const v1::StreamHistoryRequest& request,
                                                                     store::Store& store, Hub& hub,
-                                                                    TaskQueue& queue,
+                                                                    HistoryReading& reading,
                                                                     const std::filesystem::path& jobs_directory);
 
 }  // namespace trajan

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <filesystem>
 
+#include "server/history_stream.h"
 #include "server/hub.h"
 #include "server/schedule.h"
 #include "server/store.h"
@@ -45,9 +46,9 @@ class JobsService final : public v1::Jobs::CallbackService {
   Scheduler& scheduler_;
   const std::filesystem::path jobs_directory_;
   std::atomic<bool> draining_ = false;
-  TaskQueue checks_{2};     ///< validation of scenes, removal of files
-  TaskQueue readers_{2};    ///< short reads of the store and of finished files
-  TaskQueue histories_{1};  ///< reads through the result file's library, which works for one at a time
+  TaskQueue checks_{2};   ///< validation of scenes, removal of files
+  TaskQueue readers_{2};  ///< short reads of the store and of finished files
+  HistoryReading histories_;
 };
 
 }  // namespace trajan

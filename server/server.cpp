@@ -121,7 +121,7 @@ void Server::drain() {
 
 void Server::stop_listening() {
   hub_.end_all();
-  server_->Shutdown(std::chrono::system_clock::now() + std::chrono::seconds(2));
+  server_->Shutdown(std::chrono::system_clock::now() + std::chrono::seconds(1));
   server_->Wait();
 }
 

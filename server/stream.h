@@ -120,9 +120,10 @@ class Stream : public grpc::ServerWriteReactor<Response>,
     wake();
   }
 
+  /// What the stream holds is released where it is used.
   void OnDone() final {
     hub_.unsubscribe(job_, this);
-    self_.reset();
+    queue_.post([self = std::move(self_)]() mutable { self.reset(); });
   }
 
   grpc::CallbackServerContext& context_;

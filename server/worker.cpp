@@ -113,8 +113,8 @@ class Worker {
     {
       LeaseKeeper keeper(*server_, lease, options_.grace_seconds, leaving);
       outcome = run_job(lease, options_.threads, keeper);
-      if (outcome) complete(*outcome);
     }
+    if (outcome) complete(*outcome);
     logging::info("job left", {{"job", lease.job_id()}, {"lost", outcome ? "no" : "yes"}});
   }
 
