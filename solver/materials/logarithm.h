@@ -13,11 +13,11 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// [sqrt(1/2), sqrt(2)), and log m = 2 artanh(s) = 2 (s + s^3/3 + s^5/5 + ...), s = (m - 1) / (m + 1),
 /// |s| < 0.1716, whose terms from s^23 on are below 2^-58 of the first.
 inline double natural_logarithm(double x) {
-  constexpr std::int64_t root_half = 0x3FE6A09E667F3BCD;
-  const std::int64_t bits = std::bit_cast<std::int64_t>(x);
-  const std::int64_t shifted = bits - root_half;
+  constexpr std::uint64_t root_half = 0x3FE6A09E667F3BCD;
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  const auto shifted = static_cast<std::int64_t>(bits - root_half);
   const std::int64_t exponent = shifted & static_cast<std::int64_t>(0xFFF0000000000000);
-  const double m = std::bit_cast<double>(bits - exponent);
+  const double m = std::bit_cast<double>(bits - static_cast<std::uint64_t>(exponent));
   // The exponent as a number without a 64-bit conversion, which older instruction sets lack: put it into
   // the mantissa of 1.5 * 2^52 and take that off again.
   constexpr std::int64_t magic = 0x4338000000000000;

@@ -1,7 +1,8 @@
 // Compiled once for each instruction set that is dispatched to, with TRAJAN_INSTRUCTION_SET its name.
 #include "solver/materials/laws.h"
 #include "solver/schemes/law_kernels.h"
-#include "solver/transfers/linear_transfer.h"
+#include "solver/transfers/linear_gather.h"
+#include "solver/transfers/linear_scatter.h"
 #include "solver/transfers/node_updates.h"
 #include "solver/transfers/pointwise.h"
 

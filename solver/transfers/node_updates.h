@@ -2,7 +2,7 @@
 
 #include "solver/executors/instruction_set.h"
 #include "solver/schemes/kernels.h"
-#include "solver/transfers/linear_transfer.h"
+#include "solver/transfers/cells.h"
 
 /// What is done to the nodes of one tile. Sums are taken over the tiles around in a fixed order, so that
 /// their bits do not depend on which thread does what.
