@@ -6,6 +6,14 @@
 #include "solver/simulation/particles.h"
 
 namespace trajan {
+namespace {
+
+/// Bilinear polynomials of a cell's four nodes, in the order of their indices.
+std::array<double, 4> corner_weights(double fx, double fy) {
+  return {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
+}
+
+}  // namespace
 
 std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Model& model,
                              const std::vector<std::int64_t>& numbers) {
@@ -81,10 +89,11 @@ Loads::Stencil Loads::stencil(const Tiles& tiles, const std::vector<BodyParticle
   };
   const double cx = in_window(body[Attribute::position_x][carriers_[point].index], model_.grid.origin.x, tile.x);
   const double cy = in_window(body[Attribute::position_y][carriers_[point].index], model_.grid.origin.y, tile.y);
+  const double px = in_window(positions_[2 * point], model_.grid.origin.x, tile.x);
+  const double py = in_window(positions_[2 * point + 1], model_.grid.origin.y, tile.y);
   const int column = static_cast<int>(cx), row = static_cast<int>(cy);
-  return {&tile, row * window_side + column,
-          in_window(positions_[2 * point], model_.grid.origin.x, tile.x) - column,
-          in_window(positions_[2 * point + 1], model_.grid.origin.y, tile.y) - row};
+  return {&tile, row * window_side + column, corner_weights(cx - column, cy - row),
+          corner_weights(px - column, py - row)};
 }
 
 void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies, double time) const {
@@ -95,18 +104,18 @@ void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies, doubl
       const Stencil s = stencil(tiles, bodies, p);
       double* x = tiles.sums(tiles_[p]) + sum_load_x * window_nodes + s.node;
       double* y = tiles.sums(tiles_[p]) + sum_load_y * window_nodes + s.node;
-      const double weights[4] = {(1 - s.fx) * (1 - s.fy), s.fx * (1 - s.fy), (1 - s.fx) * s.fy, s.fx * s.fy};
       for (int n = 0; n < 4; ++n) {
         const int at = n / 2 * window_side + n % 2;
-        x[at] += weights[n] * factor * point.force.x;
-        y[at] += weights[n] * factor * point.force.y;
+        x[at] += s.of_point[n] * factor * point.force.x;
+        y[at] += s.of_point[n] * factor * point.force.y;
       }
       ++p;
     }
   }
 }
 
-void Loads::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) {
+void Loads::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, NodeValue gradient,
+                   double drift) {
   if (total_lagrangian_) return;
   const auto value = [&tiles](const Tile& tile, int quantity, int node) {
     const int i = node % window_side - 1, j = node / window_side - 1;
@@ -116,11 +125,13 @@ void Loads::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
   };
   for (std::size_t p = 0; p < carriers_.size(); ++p) {
     const Stencil s = stencil(tiles, bodies, p);
-    const double weights[4] = {(1 - s.fx) * (1 - s.fy), s.fx * (1 - s.fy), (1 - s.fx) * s.fy, s.fx * s.fy};
     for (int axis = 0; axis < 2; ++axis) {
       double velocity = 0;
-      for (int n = 0; n < 4; ++n)
-        velocity += weights[n] * value(*s.tile, node_velocity_x + axis, s.node + n / 2 * window_side + n % 2);
+      for (std::size_t n = 0; n < 4; ++n) {
+        const int node = s.node + static_cast<int>(n / 2 * window_side + n % 2);
+        velocity += s.of_carrier[n] * value(*s.tile, node_velocity_x + axis, node) +
+                    (s.of_point[n] - s.of_carrier[n]) * value(*s.tile, gradient + axis, node);
+      }
       positions_[2 * p + static_cast<std::size_t>(axis)] += drift * velocity;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -30,18 +31,21 @@ class Loads {
   void accelerate(std::vector<BodyParticles>& bodies, double time) const;
   /// Adds the surface loads of this time to the windows of the carriers' tiles.
   void add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies, double time) const;
-  /// Moves the points with the grid's velocity; to be called before the particles move.
-  void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
+  /// Moves the points as their carriers move, and around them as the velocities `gradient` say; to be called
+  /// before the particles move. A node that few particles just reach is fast without bound after the step's
+  /// forces: the carrier hardly feels it, but a polynomial that is continued to the point would.
+  void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, NodeValue gradient, double drift);
 
   /// Positions of the points, for checkpoints: x, y of one after the other.
   std::vector<double>& positions() { return positions_; }
 
  private:
-  /// Cell of a particle's tile's window, and the point's place relative to it.
+  /// The carrier's cell by its first node in its tile's window, and the polynomials of the cell's nodes.
   struct Stencil {
     const Tile* tile;
     int node;
-    double fx, fy;
+    std::array<double, 4> of_carrier;
+    std::array<double, 4> of_point;
   };
   Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t point) const;
 

@@ -91,7 +91,8 @@ void Executor::for_each_tile(Of&& of) {
 
 void Executor::particles(std::initializer_list<Pass> passes) {
   for (Pass pass : passes) {
-    if (pass == Pass::move) loads_.advect(tiles_, bodies_, times_.drift);
+    if (pass == Pass::gather_motion) loads_.advect(tiles_, bodies_, node_velocity_x, times_.drift);
+    if (pass == Pass::gather_mapped_motion) loads_.advect(tiles_, bodies_, node_mapped_velocity_x, times_.drift);
     chain_.push_back(pass);
   }
 }
