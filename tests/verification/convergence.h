@@ -19,6 +19,8 @@ class ConvergenceTable {
   void add(double cell_size, double error);
   /// The slope of log |error| over log(cell size) that fits best, by least squares.
   double order() const;
+  /// The error of the resolution that was added last.
+  double last() const { return errors_.back(); }
   /// For people; goes to the test's output.
   void print() const;
 

@@ -3,7 +3,7 @@
 #include <google/protobuf/text_format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -82,11 +82,15 @@ Outcome run_scene(const Scene& scene) {
   outcome.particles = model.particle_count();
   outcome.columns = history_columns(model);
   MemoryRecorder recorder(outcome.time, outcome.values);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const RunResult result = run(model, {}, recorder, [](const RunProgress&) { return false; });
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   outcome.steps = result.progress.step;
-  if (result.divergence) throw std::runtime_error(scene.name + " diverged: " + result.divergence->cause);
+  if (result.divergence) {
+    const Divergence& divergence = *result.divergence;
+    throw std::runtime_error(scene.name + " diverged at time " + std::to_string(divergence.time) + ", particle " +
+                             std::to_string(divergence.particle) + ": " + divergence.cause);
+  }
   outcome.measures = evaluate(model, outcome.time, outcome.values);
   return outcome;
 }

@@ -26,7 +26,7 @@ Scene gallery_scene(std::string_view name);
 struct Outcome {
   std::int64_t particles = 0;
   std::int64_t steps = 0;
-  double seconds = 0;  ///< wall time of the run on one thread
+  double seconds = 0;  ///< processor time of the run, on one thread
   std::vector<std::string> columns;
   std::vector<double> time;
   std::vector<double> values;  ///< (time.size(), columns.size()) row-major
