@@ -132,6 +132,18 @@ void require_rows(const History& history, std::size_t least) {
   }
 }
 
+/// Amplitudes below this share of the highest are not drawn.
+constexpr double smallest_share = 1e-6;
+
+/// The frequency up to which a spectrum is worth drawing.
+double highest_visible(const Spectrum& spectrum) {
+  constexpr std::size_t fewest_bins = 20;
+  const double peak = *std::max_element(spectrum.amplitude.begin(), spectrum.amplitude.end());
+  std::size_t last = spectrum.amplitude.size() - 1;
+  while (last > fewest_bins && spectrum.amplitude[last] < 1e-4 * peak) --last;
+  return spectrum.frequency[std::min(2 * last, spectrum.frequency.size() - 1)];
+}
+
 }  // namespace
 
 PictureNotes picture_notes(const v1::Job& job) {
@@ -189,10 +201,12 @@ void draw_spectra(const History& history, const PictureNotes& notes, const fs::p
   require_rows(history, 4);
   const TemporaryFolder folder;
   double highest = 0;
+  double peak = 0;
   for (std::size_t i = 0; i < history.columns.size(); ++i) {
     const Spectrum spectrum = amplitude_spectrum(history.time, history.values[i]);
     write_curve(curve_file(folder.path(), i), spectrum.frequency, spectrum.amplitude);
-    highest = spectrum.frequency.back();
+    highest = std::max(highest, highest_visible(spectrum));
+    peak = std::max(peak, *std::max_element(spectrum.amplitude.begin(), spectrum.amplitude.end()));
   }
   std::vector<Panel> panels = panels_of(history, notes);
   std::vector<std::string> commands;
@@ -204,10 +218,11 @@ void draw_spectra(const History& history, const PictureNotes& notes, const fs::p
   const std::string unit = notes.units.time() == "s"    ? "Hz"
                            : notes.units.time().empty() ? ""
                                                         : "1/" + notes.units.time();
-  run_gnuplot(gnuplot_opening(picture, 1600, picture_height(panels.size())) +
-                  fmt::format("set xrange [0:{}]\nset logscale y\n", highest) +
-                  panels_script(panels, with_unit("frequency", unit), commands),
-              folder.path());
+  run_gnuplot(
+      gnuplot_opening(picture, 1600, picture_height(panels.size())) +
+          fmt::format("set xrange [0:{}]\nset yrange [{}:*]\nset logscale y\n", highest, smallest_share * peak) +
+          panels_script(panels, with_unit("frequency", unit), commands),
+      folder.path());
 }
 
 }  // namespace trajan::client

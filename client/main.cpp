@@ -75,6 +75,7 @@ ExitCode perform(int count, char** words) {
 
 int main(int count, char** words) {
   try {
+    become_trajand(count, words);
     return static_cast<int>(perform(count, words));
   } catch (const CommandError& error) {
     std::cout.flush();

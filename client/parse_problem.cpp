@@ -107,7 +107,8 @@ ParseProblem explain_parse_problem(const std::string& whole_message, const std::
   }
   if (std::regex_search(parser_says, match, bad_value)) {
     const std::string found = match[2].str();
-    return {fmt::format("expected {}, found {}", match[1].str(), found.empty() ? "the end" : found),
+    const std::string expected = match[1] == "double" ? "number" : match[1].str();
+    return {fmt::format("expected {}, found {}", expected, found.empty() ? "the end" : found),
             expected_form(field),
             {}};
   }

@@ -72,58 +72,88 @@ std::string label_of(const std::string& field) {
   return field;
 }
 
-/// Room beside and around the axes, in pixels.
-constexpr int left_margin = 200, right_margin = 330, bottom_margin = 150, top_margin = 110;
+/// Pixels of the picture: room beside and around the axes, which are as wide as high in the particles' units.
+struct Layout {
+  static constexpr int left = 200, right = 330, bottom = 150, top = 110;
+  int axes_width = 0;
+  int axes_height = 0;
+  int width() const { return axes_width + left + right; }
+  int height() const { return axes_height + bottom + top; }
+};
+
+struct Window {
+  Extent x, y, value;
+};
+
+Layout layout_of(const Window& window) {
+  constexpr int shortest = 160;
+  const double aspect = window.y.size() / window.x.size();
+  Layout layout;
+  layout.axes_width = std::clamp(static_cast<int>(1000 / aspect), 500, 1500);
+  layout.axes_height = std::max(static_cast<int>(layout.axes_width * aspect), shortest);
+  return layout;
+}
+
+/// Writes `x y value` lines. Returns what they span, with a margin around the particles.
+Window write_particles(const fs::path& file, const std::vector<std::array<double, 2>>& points,
+                       const std::vector<double>& values, double spacing) {
+  Window window;
+  std::ofstream out(file);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    window.x.include(points[i][0]);
+    window.y.include(points[i][1]);
+    window.value.include(values[i]);
+    out << fmt::format("{:.9g} {:.9g} {:.9g}\n", points[i][0], points[i][1], values[i]);
+  }
+  const double margin = 0.03 * std::max(window.x.size(), window.y.size()) + spacing;
+  for (Extent* extent : {&window.x, &window.y}) {
+    extent->lower -= margin;
+    extent->upper += margin;
+  }
+  // A field without variation still needs a range of colours.
+  if (window.value.size() == 0) window.value.upper += std::max(std::abs(window.value.lower), 1.0) * 1e-3;
+  return window;
+}
+
+std::string axes_script(const Window& window, const Layout& layout) {
+  const double width = layout.width();
+  const double height = layout.height();
+  return fmt::format(
+      "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n"
+      "set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n"
+      "unset grid\nunset key\nset minussign\nset format cb '%.3h'\n",
+      Layout::left / width, 1 - Layout::right / width, Layout::bottom / height, 1 - Layout::top / height,
+      window.x.lower, window.x.upper, window.y.lower, window.y.upper, window.value.lower, window.value.upper);
+}
+
+std::string labels_script(const ParticlePicture& particles, const RenderStyle& style) {
+  const UnitLabels units(particles.units);
+  std::string title = fmt::format("time {:.6g} {}", particles.time, units.time());
+  if (style.deformation_scale != 1) title += fmt::format("  displacements × {:g}", style.deformation_scale);
+  return fmt::format(
+      "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
+      "set cblabel {} noenhanced offset 1.5\n",
+      gnuplot_text(title), gnuplot_text(with_unit("x", units.length())),
+      gnuplot_text(with_unit("y", units.length())),
+      gnuplot_text(with_unit(label_of(style.field), units.of_column(style.field))));
+}
 
 }  // namespace
 
 void draw_particles(const ParticlePicture& particles, const RenderStyle& style, const fs::path& picture) {
+  constexpr double radius = 0.71;  // of the spacing: discs on a square lattice leave no gap
   if (particles.values.empty()) throw CommandError(ExitCode::not_found, "the snapshot has no particles");
   const auto points = places(particles, style.deformation_scale);
   const double spacing = particle_spacing(points);
   const TemporaryFolder folder;
   const fs::path data = folder.path() / "particles";
-  Extent x, y, value;
-  {
-    std::ofstream out(data);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      x.include(points[i][0]);
-      y.include(points[i][1]);
-      value.include(particles.values[i]);
-      out << fmt::format("{:.9g} {:.9g} {:.9g}\n", points[i][0], points[i][1], particles.values[i]);
-    }
-  }
-  const double margin = 0.03 * std::max(x.size(), y.size()) + spacing;
-  const double aspect = (y.size() + 2 * margin) / (x.size() + 2 * margin);
-  const int plot_width = std::clamp(static_cast<int>(1000 / aspect), 500, 1500);
-  const int plot_height = std::max(static_cast<int>(plot_width * aspect), 160);
-  const UnitLabels units(particles.units);
-  std::string title = with_unit(fmt::format("time {:.6g}", particles.time), "");
-  if (!units.time().empty()) title += " " + units.time();
-  if (style.deformation_scale != 1) title += fmt::format(", displacements × {:g}", style.deformation_scale);
-  // A field without variation still needs a range of colours.
-  const double spread = value.size() > 0 ? 0 : std::max(std::abs(value.lower), 1.0) * 1e-3;
-  std::string script =
-      gnuplot_opening(picture, plot_width + left_margin + right_margin, plot_height + bottom_margin + top_margin);
-  script += viridis;
-  script += fmt::format(
-      "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n",
-      static_cast<double>(left_margin) / (plot_width + left_margin + right_margin),
-      1 - static_cast<double>(right_margin) / (plot_width + left_margin + right_margin),
-      static_cast<double>(bottom_margin) / (plot_height + bottom_margin + top_margin),
-      1 - static_cast<double>(top_margin) / (plot_height + bottom_margin + top_margin));
-  script += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n", x.lower - margin,
-                        x.upper + margin, y.lower - margin, y.upper + margin, value.lower - spread,
-                        value.upper + spread);
-  script += fmt::format(
-      "unset grid\nunset key\nset format cb '%.3h'\nset colorbox\n"
-      "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\nset cblabel {} noenhanced "
-      "offset 1.5\n",
-      gnuplot_text(title), gnuplot_text(with_unit("x", units.length())),
-      gnuplot_text(with_unit("y", units.length())),
-      gnuplot_text(with_unit(label_of(style.field), units.of_column(style.field))));
-  script += fmt::format("plot {} using 1:2:({}):3 with circles fillstyle solid 1.0 noborder linecolor palette\n",
-                        gnuplot_text(data.string()), 0.56 * spacing);
+  const Window window = write_particles(data, points, particles.values, spacing);
+  const Layout layout = layout_of(window);
+  const std::string plot =
+      fmt::format("plot {} using 1:2:({}):3 with circles fillstyle solid 1.0 noborder linecolor palette\n",
+                  gnuplot_text(data.string()), radius * spacing);
+  std::string script = gnuplot_opening(picture, layout.width(), layout.height());
+  script.append(viridis).append(axes_script(window, layout)).append(labels_script(particles, style)).append(plot);
   run_gnuplot(script, folder.path());
 }
 

@@ -55,7 +55,7 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
   }
 }
 
-/// The dotted path of a field, with an index where the schema has a list.
+/// The dotted path of a field, with an index where the schema has a list on the way to it.
 std::string schema_path(const SceneOutline& outline, int field) {
   std::vector<int> chain;
   for (int i = field; i != -1; i = outline.fields()[i].parent) chain.insert(chain.begin(), i);
@@ -65,7 +65,9 @@ std::string schema_path(const SceneOutline& outline, int field) {
     const google::protobuf::Descriptor* message = enclosing_message(outline.names(link));
     const auto* descriptor = message == nullptr ? nullptr : message->FindFieldByName(at.name);
     path += path.empty() ? at.name : "." + at.name;
-    if (descriptor != nullptr && descriptor->is_repeated()) path += fmt::format("[{}]", at.ordinal);
+    // A list itself may be meant: what is left out of it may leave it empty.
+    if (link != field && descriptor != nullptr && descriptor->is_repeated())
+      path += fmt::format("[{}]", at.ordinal);
   }
   return path;
 }

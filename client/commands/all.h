@@ -17,8 +17,8 @@ void declare_list(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_show(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_cancel(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_remove(CLI::App& app, const GlobalOptions& global, Action& action);
-void declare_serve(CLI::App& app, const GlobalOptions& global, Action& action);
-void declare_work(CLI::App& app, const GlobalOptions& global, Action& action);
+/// The commands that trajand does.
+void declare_delegated(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_completion(CLI::App& app, const GlobalOptions& global, Action& action);
 
 }  // namespace trajan::client

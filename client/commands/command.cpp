@@ -21,8 +21,8 @@ std::span<const Command> commands() {
       {"show", "show one job", declare_show},
       {"cancel", "stop jobs", declare_cancel},
       {"rm", "remove ended jobs and their files", declare_remove},
-      {"serve", "start a server (trajand serve)", declare_serve},
-      {"work", "start a worker (trajand work)", declare_work},
+      {"serve", "start a server (trajand serve)", declare_delegated},
+      {"work", "start a worker (trajand work)", declare_delegated},
       {"completion", "print the completion script of a shell", declare_completion},
   };
   return all;

@@ -41,6 +41,9 @@ void set_action(CLI::App& app, const GlobalOptions& global, Action& action, std:
 /// `-o, --output FORMAT`, one of `formats`.
 void add_output_option(CLI::App& app, OutputFormat& output, const std::vector<std::string>& formats);
 
+/// Becomes `trajand` if the first word is one of its commands; otherwise returns. Throws CommandError.
+void become_trajand(int count, char** words);
+
 Connection connect(const GlobalOptions& global);
 
 /// The job's id; `last` is the newest job. Throws CommandError.

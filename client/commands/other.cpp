@@ -45,35 +45,6 @@ ExitCode scenes(const GlobalOptions&, const Scenes& asked) {
   return ExitCode::success;
 }
 
-struct Delegated {
-  std::string command;
-  std::vector<std::string> arguments;
-};
-
-/// Becomes trajand.
-ExitCode delegate(const GlobalOptions&, const Delegated& asked) {
-  const std::string program = find_trajand().string();
-  std::vector<std::string> words{"trajand", asked.command};
-  words.insert(words.end(), asked.arguments.begin(), asked.arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  execv(program.c_str(), pointers.data());
-  throw CommandError(ExitCode::local_failure, "cannot start " + program);
-}
-
-void declare_delegated(CLI::App& app, const GlobalOptions& global, Action& action, const char* command) {
-  const auto asked = std::make_shared<Delegated>();
-  asked->command = command;
-  app.set_help_flag();  // trajand has its own
-  app.prefix_command();
-  app.footer(fmt::format("All options go to `trajand {0}`; `trajan {0} --help` lists them.", command));
-  app.callback([&app, &global, &action, asked] {
-    asked->arguments = app.remaining();
-    action = [&global, asked] { return delegate(global, *asked); };
-  });
-}
-
 struct Completion {
   std::string shell;
 };
@@ -144,12 +115,16 @@ void declare_scenes(CLI::App& app, const GlobalOptions& global, Action& action) 
   set_action(app, global, action, asked, scenes);
 }
 
-void declare_serve(CLI::App& app, const GlobalOptions& global, Action& action) {
-  declare_delegated(app, global, action, "serve");
+void become_trajand(int count, char** words) {
+  const std::string command = count > 1 ? words[1] : "";
+  if (command != "serve" && command != "work") return;
+  const std::string program = find_trajand().string();
+  execv(program.c_str(), words);
+  throw CommandError(ExitCode::local_failure, "cannot start " + program);
 }
 
-void declare_work(CLI::App& app, const GlobalOptions& global, Action& action) {
-  declare_delegated(app, global, action, "work");
+void declare_delegated(CLI::App& app, const GlobalOptions&, Action&) {
+  app.footer(fmt::format("Its options are those of `trajand {}`.", app.get_name()));
 }
 
 void declare_completion(CLI::App& app, const GlobalOptions& global, Action& action) {

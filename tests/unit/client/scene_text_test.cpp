@@ -74,7 +74,7 @@ TEST(SceneText, FindsTenMistakesAtOnce) {
   EXPECT_THAT(text.diagnostics(), ElementsAre(Mistake(1, 1, "nmae", "\"name\""),                       //
                                               Mistake(3, 14, "PLANE_STRES", "\"PLANE_STRESS\""),       //
                                               Mistake(4, 14, "found large", "write a number"),         //
-                                              Mistake(5, 13, "expected double", "write a number"),     //
+                                              Mistake(5, 13, "expected number", "write a number"),     //
                                               Mistake(7, 19, "found steel", "in quotes"),              //
                                               Mistake(7, 55, "cannot be given together", "keep one"),  //
                                               Mistake(8, 35, "found 2.5", "whole number"),             //
