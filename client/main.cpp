@@ -68,6 +68,7 @@ ExitCode perform(int count, char** words) {
   } catch (const CLI::ParseError& error) {
     return report_usage(program, error, count, words);
   }
+  if (!action) throw CommandError(ExitCode::usage, "serve and work come first on the command line");
   return action();
 }
 
