@@ -7,6 +7,7 @@
 
 #include <csignal>
 
+#include "proto/default_paths.h"
 #include "server/address.h"
 #include "server/log.h"
 #include "server/store_jobs.h"
@@ -20,6 +21,14 @@ using Clock = std::chrono::steady_clock;
 ScheduleOptions with_jobs_directory(ScheduleOptions schedule, const StateDirectory& state) {
   schedule.jobs_directory = std::filesystem::absolute(state.jobs());
   return schedule;
+}
+
+ServeOptions with_local_addresses(ServeOptions options) {
+  if (options.listen.empty()) {
+    options.listen = {"unix:" + std::filesystem::absolute(socket_path(options.state)).string()};
+  }
+  for (const std::string& address : options.listen) require_local(address);
+  return options;
 }
 
 void configure(grpc::ServerBuilder& builder) {
@@ -37,7 +46,7 @@ void configure(grpc::ServerBuilder& builder) {
 }  // namespace
 
 Server::Server(ServeOptions options)
-    : options_(std::move(options)),
+    : options_(with_local_addresses(std::move(options))),
       state_(options_.state),
       store_(state_.database()),
       pool_(options_.workers,
@@ -45,8 +54,6 @@ Server::Server(ServeOptions options)
       scheduler_(with_jobs_directory(options_.schedule, state_), store_, hub_, pool_),
       jobs_(store_, hub_, scheduler_, std::filesystem::absolute(state_.jobs())),
       workers_(scheduler_) {
-  if (options_.listen.empty()) options_.listen = {"unix:" + std::filesystem::absolute(state_.socket()).string()};
-  for (const std::string& address : options_.listen) require_local(address);
   remove_orphaned_directories();
   scheduler_.recover();
   listen();

@@ -2,8 +2,6 @@
 
 #include <filesystem>
 
-#include "proto/default_paths.h"
-
 namespace trajan {
 
 /// The directory in which a server keeps everything; private to its user, and to one server at a time.
@@ -17,7 +15,6 @@ class StateDirectory {
 
   std::filesystem::path database() const { return path_ / "queue.sqlite"; }
   std::filesystem::path jobs() const { return path_ / "jobs"; }
-  std::filesystem::path socket() const { return socket_path(path_); }
 
  private:
   const std::filesystem::path path_;

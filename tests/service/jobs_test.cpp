@@ -238,6 +238,16 @@ TEST(Jobs, are_refused_with_all_violations_of_an_invalid_scene) {
   EXPECT_TRUE(paths.contains("analysis.end_time"));
 }
 
+TEST(Jobs, are_refused_if_the_scene_is_larger_than_a_message_may_be) {
+  Service service({"--workers", "0"});
+  v1::SubmitJobRequest request;
+  *request.mutable_scene() = short_bar();
+  request.mutable_scene()->set_description(std::string(17 << 20, 'x'));
+  grpc::ClientContext context;
+  v1::Job job;
+  EXPECT_EQ(service.jobs().SubmitJob(&context, request, &job).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+}
+
 TEST(Scenes, are_checked_without_being_queued) {
   Service service({"--workers", "0"});
   v1::CheckSceneRequest request;

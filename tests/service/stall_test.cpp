@@ -8,6 +8,13 @@
 namespace trajan::test {
 namespace {
 
+// A sanitizer keeps freed memory for a while.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool memory_tells = false;
+#else
+constexpr bool memory_tells = true;
+#endif
+
 /// Resident memory in KiB.
 std::int64_t resident_memory(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/status");
@@ -60,7 +67,10 @@ TEST(StalledClients, cost_bounded_memory_and_do_not_keep_a_job_from_ending) {
   const std::int64_t grown = resident_memory(service.server().id()) - before;
   // Eight clients were offered 2e5 rows of 13 numbers each, 166 MB in all. Each may cost what one message
   // and the transport's windows hold, and an open file: a few MiB.
-  EXPECT_LT(grown, 8 * 8 * 1024) << "KiB";
+  if (memory_tells) {
+    EXPECT_LT(grown, 8 * 8 * 1024) << "KiB";
+  }
+  RecordProperty("grown_kib", std::to_string(grown));
 }
 
 }  // namespace
