@@ -102,8 +102,8 @@ void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies, doubl
     const double factor = load.time(time);
     for (const LoadPoint& point : load.points) {
       const Stencil s = stencil(tiles, bodies, p);
-      double* x = tiles.sums(tiles_[p]) + sum_load_x * window_nodes + s.node;
-      double* y = tiles.sums(tiles_[p]) + sum_load_y * window_nodes + s.node;
+      double* x = &tiles.sums(tiles_[p])[sum_load_x * window_nodes + s.node];
+      double* y = &tiles.sums(tiles_[p])[sum_load_y * window_nodes + s.node];
       for (int n = 0; n < 4; ++n) {
         const int at = n / 2 * window_side + n % 2;
         x[at] += s.of_point[n] * factor * point.force.x;

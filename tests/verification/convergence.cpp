@@ -19,7 +19,7 @@ void ConvergenceTable::add(double cell_size, double error) {
 }
 
 double ConvergenceTable::order() const {
-  const double n = static_cast<double>(cell_sizes_.size());
+  const auto n = static_cast<double>(cell_sizes_.size());
   double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
   for (std::size_t i = 0; i < cell_sizes_.size(); ++i) {
     const double x = std::log(cell_sizes_[i]);
