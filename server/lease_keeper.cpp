@@ -80,7 +80,9 @@ void LeaseKeeper::report_once() {
   v1::Progress latest = progress();
   if (latest.total_steps() > 0) *request.mutable_progress() = std::move(latest);
   grpc::ClientContext context;
-  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(10));
+  // A server that was away is found again while the call waits for it.
+  context.set_wait_for_ready(true);
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(5));
   v1::ReportResponse response;
   const grpc::Status status = server_.Report(&context, request, &response);
   if (status.ok()) {

@@ -48,19 +48,20 @@ class StopSignals {
   std::thread thread_;
 };
 
-std::unique_ptr<v1::Workers::Stub> connect(const std::string& server) {
+std::shared_ptr<grpc::Channel> connect(const std::string& server) {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 100);
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 1000);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);
-  return v1::Workers::NewStub(grpc::CreateCustomChannel(server, grpc::InsecureChannelCredentials(), arguments));
+  return grpc::CreateCustomChannel(server, grpc::InsecureChannelCredentials(), arguments);
 }
 
 class Worker {
  public:
-  explicit Worker(const WorkOptions& options) : options_(options), server_(connect(options.server)) {
+  explicit Worker(const WorkOptions& options)
+      : options_(options), channel_(connect(options.server)), server_(v1::Workers::NewStub(channel_)) {
     request_.set_solver_version(TRAJAN_VERSION);
     request_.set_threads(options.threads);
     const bool local = !options.worker_id.empty();
@@ -95,7 +96,11 @@ class Worker {
     return id.str();
   }
 
-  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(200)); }
+  /// A channel makes progress with its connection only while somebody waits for it.
+  void pause() {
+    channel_->WaitForConnected(std::chrono::system_clock::now() + std::chrono::milliseconds(200));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
 
   bool away_for_too_long() const {
     return Clock::now() - server_seen_ > std::chrono::duration<double>(options_.grace_seconds);
@@ -133,6 +138,7 @@ class Worker {
   }
 
   const WorkOptions options_;
+  const std::shared_ptr<grpc::Channel> channel_;
   const std::unique_ptr<v1::Workers::Stub> server_;
   v1::LeaseRequest request_;
   Clock::time_point server_seen_ = Clock::now();
