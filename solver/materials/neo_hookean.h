@@ -27,7 +27,7 @@ class NeoHookean {
     const LameConstants lame(values[0], values[1]);
     lambda_ = lame.lambda;
     mu_ = lame.mu;
-    in_plane_share_ = lame.in_plane_lambda(dimension) / (lame.lambda != 0 ? lame.lambda : 1);
+    plane_stress_ = dimension == Dimension::plane_stress;
     thinning_ = -lame.lambda / (lame.lambda + 2 * lame.mu);
   }
 
@@ -61,13 +61,14 @@ class NeoHookean {
     return r;
   }
 
-  /// Modulus of the fastest wave along a principal direction of squared stretch b, over the reference
-  /// volume: the derivative of the principal nominal stress with respect to its stretch, times b to refer
-  /// it to the current configuration. In plane stress a bound: the out-of-plane stretch yields.
+  /// Modulus of the fastest wave of a deformation whose squared stretch is b along one principal direction,
+  /// over the reference volume. The acoustic tensor for the direction n is mu (n . F F^T n) 1 + c n n, where c
+  /// is mu - lambda ln J and what a dilation adds to the pressure: lambda, or in plane stress what is left of it
+  /// while the out-of-plane stretch s gives way, for which mu s^2 = mu - lambda ln J.
   double wave_modulus(double b, double log_volume_ratio) const {
-    const double lambda = lambda_ * in_plane_share_;
-    const double bulk = lambda - lambda_ * log_volume_ratio;
-    return mu_ * (1 + b) + (bulk > 0 ? bulk : 0);
+    const double m = mu_ - lambda_ * log_volume_ratio;
+    const double dilation = plane_stress_ ? lambda_ * 2 * m / (lambda_ + 2 * m) : lambda_;
+    return mu_ * b + (m + dilation > 0 ? m + dilation : 0);
   }
 
  private:
@@ -85,8 +86,8 @@ class NeoHookean {
   }
 
   double lambda_, mu_;
-  double in_plane_share_;  ///< of lambda that is left in the plane
-  double thinning_;        ///< out-of-plane strain per in-plane dilation at small strain
+  double thinning_;  ///< out-of-plane strain per in-plane dilation at small strain
+  bool plane_stress_;
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET
