@@ -26,7 +26,8 @@ class LinearElastic {
   /// Advances stress and volume by a step whose displacement gradient, taken at the beginning of the step,
   /// is `g`. Strain and rotation increments are those of the configuration at the middle of the step and
   /// the rotation is exact, so that a rigid rotation by any angle below pi turns the stress and does
-  /// nothing else (Hughes and Winget 1980).
+  /// nothing else (Hughes and Winget 1980). Half of what the strain adds is turned as well, for it arises
+  /// while the rotation goes on: without that a step's error would be of second order, not third.
   template <Dimension D, class T>
   void advance(const PlaneTensor<T>& g, SymmetricTensor<T>& stress, T& volume) const {
     const T half = T(0.5);
@@ -36,14 +37,15 @@ class LinearElastic {
     // Half the rotation angle has the tangent spin / 2.
     const T a = half * spin, q = 1 / (1 + a * a);
     const T cosine = (1 - a * a) * q, sine = 2 * a * q;
-    const T mean = half * (stress.xx + stress.yy), difference = half * (stress.xx - stress.yy);
+    const T pressure = lambda_ * dilation, half_shear = half * mu_ * shear;
+    const T half_xx = half * pressure + mu_ * m.xx, half_yy = half * pressure + mu_ * m.yy;
+    const T xx = stress.xx + half_xx, yy = stress.yy + half_yy, xy = stress.xy + half_shear;
+    const T mean = half * (xx + yy), difference = half * (xx - yy);
     const T cosine2 = cosine * cosine - sine * sine, sine2 = 2 * sine * cosine;
-    const T turned = difference * cosine2 - stress.xy * sine2;
-    const T turned_xy = difference * sine2 + stress.xy * cosine2;
-    const T pressure = lambda_ * dilation;
-    stress.xx = mean + turned + pressure + two_mu_ * m.xx;
-    stress.yy = mean - turned + pressure + two_mu_ * m.yy;
-    stress.xy = turned_xy + mu_ * shear;
+    const T turned = difference * cosine2 - xy * sine2;
+    stress.xx = mean + turned + half_xx;
+    stress.yy = mean - turned + half_yy;
+    stress.xy = difference * sine2 + xy * cosine2 + half_shear;
     if constexpr (D == Dimension::plane_strain) stress.zz += pressure;
     volume *= determinant(PlaneTensor<T>{1 + g.xx, g.xy, g.yx, 1 + g.yy}) * (1 + thinning_ * dilation);
   }
