@@ -27,7 +27,9 @@ std::string make_worker_id() {
 /// unguessable name is ours.
 bool is_worker(pid_t process, const std::string& worker) {
   std::ifstream file("/proc/" + std::to_string(process) + "/cmdline", std::ios::binary);
-  const std::string command((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  // Reading fails softly if the process ends meanwhile.
+  std::string command;
+  std::getline(file, command, '\n');
   return command.find(worker) != std::string::npos;
 }
 

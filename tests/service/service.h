@@ -87,7 +87,7 @@ class Service {
   std::unique_ptr<v1::Jobs::Stub> jobs_;
 };
 
-/// The vibration of a short bar: a few seconds of computing for a `length` of 1.
+/// The vibration of a short bar: some seconds of computing for a `length` of 1, also under a sanitizer.
 v1::Scene bar(double length = 1, int samples = 2000);
 
 /// Waits until `condition` holds; false if it does not within a time that is much too long.
