@@ -55,17 +55,24 @@ class Stalled {
   std::vector<std::unique_ptr<grpc::ClientReader<v1::WatchJobResponse>>> watches_;
 };
 
+/// As little computing as possible for each row.
+v1::Scene many_rows(int samples) {
+  v1::Scene scene = bar(0.1, samples);
+  scene.mutable_domain()->set_cell_size(1);
+  return scene;
+}
+
 TEST(StalledClients, cost_bounded_memory_and_do_not_keep_a_job_from_ending) {
   Service service;
   // The files' library, the database and gRPC have taken what they need after a first job and its reader.
-  service.history(service.submit(bar(0.01, 10'000)), true);
+  service.history(service.submit(many_rows(10'000)), true);
   const std::int64_t before = resident_memory(service.server().id());
-  const std::string job = service.submit(bar(0.1, 200'000));
+  const std::string job = service.submit(many_rows(100'000));
   const Stalled clients(service, job);
   const v1::Job done = service.wait(job);
   EXPECT_EQ(done.state(), v1::SUCCEEDED) << done.ShortDebugString();
   const std::int64_t grown = resident_memory(service.server().id()) - before;
-  // Eight clients were offered 2e5 rows of 13 numbers each, 166 MB in all. Each may cost what one message
+  // Eight clients were offered 1e5 rows of 13 numbers each, 83 MB in all. Each may cost what one message
   // and the transport's windows hold, and an open file: a few MiB.
   if (memory_tells) {
     EXPECT_LT(grown, 8 * 8 * 1024) << "KiB";
