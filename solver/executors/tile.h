@@ -35,7 +35,7 @@ enum NodeValue : int {
   node_acceleration_y,
   node_velocity_x,  ///< after the step's forces
   node_velocity_y,
-  node_mapped_velocity_x,  ///< mapped a second time from the particles (MUSL)
+  node_mapped_velocity_x,  ///< for gradients: in MUSL mapped a second time from the particles
   node_mapped_velocity_y,
   node_value_count
 };

@@ -47,6 +47,7 @@ struct NodeBlock {
   double kick = 0;                      ///< time by which velocities advance
   double damping = 0;                   ///< force per momentum
   double least_mass = 0;                ///< nodes with less do not move
+  double light_mass = 0;                ///< nodes with less are spared internal forces in gradients
   NodeSums* collected = nullptr;        ///< working memory
   double work = 0, dissipated = 0;      ///< results
 };
@@ -57,14 +58,14 @@ struct Kernels {
   Stage locate;
   Stage scatter_state, scatter_state_and_loads, scatter_momentum;
   Stage gather_acceleration, gather_acceleration_and_velocity;
-  Stage gather_motion;         ///< with the gradient of the velocity
-  Stage gather_mapped_motion;  ///< with the gradient of the velocity mapped a second time
+  Stage gather_motion;
   Stage kick, kick_and_blend;
   Stage move, displace;
   Measurement measure_motion;  ///< kinetic energy, momentum and speed
   void (*update_velocities)(NodeBlock&);
   void (*account)(NodeBlock&);
   void (*map_velocities)(NodeBlock&);
+  void (*calm_light_nodes)(NodeBlock&);
   /// Copies what a tile and its neighbours hold into a window. `mask`: bits of NodeValue.
   void (*load_window)(Window&, const std::array<const double*, 9>& nodes, unsigned mask);
   const LawKernels* (*law)(std::string_view name, Dimension dimension, bool total_lagrangian);

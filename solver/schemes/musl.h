@@ -15,7 +15,7 @@ struct Musl {
     mpm.update_velocities(times);
     mpm.particles({Pass::locate, Pass::gather_acceleration, Pass::update_velocity, Pass::scatter_momentum});
     mpm.map_velocities();
-    mpm.particles({Pass::locate, Pass::gather_mapped_motion, Pass::move, Pass::deform});
+    mpm.particles({Pass::locate, Pass::gather_motion, Pass::move, Pass::deform});
   }
 };
 

@@ -15,7 +15,7 @@ struct Tlmpm {
     mpm.update_velocities(times);
     mpm.particles({Pass::locate, Pass::gather_acceleration, Pass::update_velocity, Pass::scatter_momentum});
     mpm.map_velocities();
-    mpm.particles({Pass::locate, Pass::gather_mapped_motion, Pass::displace, Pass::deform});
+    mpm.particles({Pass::locate, Pass::gather_motion, Pass::displace, Pass::deform});
   }
 };
 

@@ -24,8 +24,6 @@ unsigned gathered(Pass pass, double flip) {
     case Pass::gather_acceleration:
       return acceleration | (flip < 1 ? velocity : 0u);
     case Pass::gather_motion:
-      return velocity;
-    case Pass::gather_mapped_motion:
       return velocity | mapped;
     default:
       return 0;
@@ -56,9 +54,8 @@ Executor::Executor(const Model& model, int threads)
   sweep_.upper_y = sweep_.lower_y + model.grid.cell * static_cast<double>(model.grid.cells_y);
   sweep_.flip = model.numerics.flip_fraction;
   sweep_.sums = loads_.none() ? sums_without_loads : sum_count;
-  least_mass_ = bodies_[0].constants.mass;
-  for (const BodyParticles& body : bodies_) least_mass_ = std::min(least_mass_, body.constants.mass);
-  least_mass_ *= least_mass_share;
+  lightest_particle_ = bodies_[0].constants.mass;
+  for (const BodyParticles& body : bodies_) lightest_particle_ = std::min(lightest_particle_, body.constants.mass);
   account_ = !loads_.none() || model.damping > 0 || conditions_.work();
   for (int thread = 0; thread < threads; ++thread) {
     scratch_.push_back(std::make_unique<Scratch>());
@@ -91,8 +88,7 @@ void Executor::for_each_tile(Of&& of) {
 
 void Executor::particles(std::initializer_list<Pass> passes) {
   for (Pass pass : passes) {
-    if (pass == Pass::gather_motion) loads_.advect(tiles_, bodies_, node_velocity_x, times_.drift);
-    if (pass == Pass::gather_mapped_motion) loads_.advect(tiles_, bodies_, node_mapped_velocity_x, times_.drift);
+    if (pass == Pass::gather_motion) loads_.advect(tiles_, bodies_, node_mapped_velocity_x, times_.drift);
     chain_.push_back(pass);
   }
 }
@@ -122,8 +118,6 @@ Stage Executor::stage_of(Pass pass, const BodyParticles& body) const {
       return kernels_.scatter_momentum;
     case Pass::gather_motion:
       return kernels_.gather_motion;
-    case Pass::gather_mapped_motion:
-      return kernels_.gather_mapped_motion;
     case Pass::move:
       return kernels_.move;
     case Pass::displace:
@@ -195,7 +189,7 @@ Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& s
   return block;
 }
 
-void Executor::update_velocities(const StepTimes& times) {
+void Executor::update_velocities(const StepTimes& times, double light_node) {
   loads_.accelerate(bodies_, times.time);
   finish();
   loads_.add_to(tiles_, bodies_, times.time);
@@ -210,10 +204,15 @@ void Executor::update_velocities(const StepTimes& times) {
     block.sum_arrays = sweep_.sums;
     block.kick = times.kick();
     block.damping = model_.damping;
-    block.least_mass = least_mass_;
+    block.least_mass = least_mass_share * lightest_particle_;
     block.collected = collected_[thread].get();
     kernels_.update_velocities(block);
     const double reactions = conditions_.prescribe(index, block.nodes, times.kick());
+    if (light_node > 0) {
+      block.light_mass = light_node * lightest_particle_;
+      kernels_.calm_light_nodes(block);
+      conditions_.prescribe_mapped(index, block.nodes);
+    }
     if (!account_) return;
     kernels_.account(block);
     tile_work_[index] = block.work + reactions;
@@ -230,7 +229,7 @@ void Executor::map_velocities() {
     NodeBlock block;
     block.nodes = tiles_.nodes(index);
     block.sums = tiles_.sums_around(tiles_.tiles()[index]);
-    block.least_mass = least_mass_;
+    block.least_mass = least_mass_share * lightest_particle_;
     kernels_.map_velocities(block);
     conditions_.prescribe_mapped(index, block.nodes);
   });

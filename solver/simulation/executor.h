@@ -15,18 +15,17 @@ namespace trajan {
 
 /// What can be done to a block of particles.
 enum class Pass {
-  locate,                ///< cell and place in it
-  force,                 ///< stress to forces, by the body's law
-  scatter_state,         ///< mass, momentum, forces and loads to the nodes
-  gather_acceleration,   ///< from the nodes
-  update_velocity,       ///< by acceleration, blended with the grid's velocity if the scene says so
-  kick,                  ///< by acceleration alone
-  scatter_momentum,      ///< to the nodes, a second time
-  gather_motion,         ///< velocity and its gradient
-  gather_mapped_motion,  ///< velocity, and the gradient of the one mapped a second time
-  move,                  ///< positions
-  displace,              ///< displacements, positions being reference ones
-  deform                 ///< deformation and stress, by the body's law
+  locate,               ///< cell and place in it
+  force,                ///< stress to forces, by the body's law
+  scatter_state,        ///< mass, momentum, forces and loads to the nodes
+  gather_acceleration,  ///< from the nodes
+  update_velocity,      ///< by acceleration, blended with the grid's velocity if the scene says so
+  kick,                 ///< by acceleration alone
+  scatter_momentum,     ///< to the nodes, a second time
+  gather_motion,        ///< velocity, and the gradient of the one that is for gradients
+  move,                 ///< positions
+  displace,             ///< displacements, positions being reference ones
+  deform                ///< deformation and stress, by the body's law
 };
 
 /// When a kick happens and how far velocities and positions go.
@@ -50,9 +49,10 @@ class Executor {
   /// \name What schemes are written with. All throw Diverged.
   /// @{
   void particles(std::initializer_list<Pass> passes);
-  /// Accelerations, and velocities after the kick.
-  void update_velocities(const StepTimes& times);
-  /// Velocities from momenta that were mapped a second time.
+  /// Accelerations, and velocities after the kick. With `light_node` velocities for gradients as well: the
+  /// same, but on nodes of less than this share of the lightest particle's mass without internal forces.
+  void update_velocities(const StepTimes& times, double light_node = 0);
+  /// Velocities for gradients, from momenta that were mapped a second time.
   void map_velocities();
   /// @}
 
@@ -110,7 +110,7 @@ class Executor {
   std::vector<std::size_t> shares_;
   std::vector<double> tile_work_, tile_dissipated_;
   std::vector<Totals> tile_totals_;
-  double least_mass_ = 0;
+  double lightest_particle_ = 0;
   bool account_ = false;
   double work_ = 0, dissipated_ = 0;
   std::int64_t sortings_ = 0;

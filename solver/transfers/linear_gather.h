@@ -36,14 +36,13 @@ inline void gather_acceleration_and_velocity(Block& block) {
   gather_pair<node_velocity_x>(block, block.scratch->velocity);
 }
 
-/// Velocity of the grid and gradient of `Gradient`, the velocity itself or the one mapped a second time.
-template <NodeValue Gradient>
+/// Velocity of the grid, and gradient of the one that is for gradients.
 inline void gather_motion(Block& block) {
   Scratch& s = *block.scratch;
   const WindowValue& ux = s.window.values[node_velocity_x];
   const WindowValue& uy = s.window.values[node_velocity_y];
-  const WindowValue& wx = s.window.values[Gradient];
-  const WindowValue& wy = s.window.values[Gradient + 1];
+  const WindowValue& wx = s.window.values[node_mapped_velocity_x];
+  const WindowValue& wy = s.window.values[node_mapped_velocity_y];
   const double q = block.sweep->inverse_cell;
   for_each_run(
       block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {

@@ -85,6 +85,21 @@ inline void map_velocities(NodeBlock& block) {
   }
 }
 
+/// Velocities for gradients where momentum is not mapped a second time: those of the nodes, but on a node that
+/// particles hardly reach without what internal forces have done to it. To be called once velocities are final.
+inline void calm_light_nodes(NodeBlock& block) {
+  const double* mass = block.nodes + node_mass * tile_nodes;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double* f = block.collected->values[sum_force_x + axis];
+    const double* u = block.nodes + (node_velocity_x + axis) * tile_nodes;
+    double* w = block.nodes + (node_mapped_velocity_x + axis) * tile_nodes;
+    for (int i = 0; i < tile_nodes; ++i) {
+      const bool light = mass[i] > block.least_mass && mass[i] < block.light_mass;
+      w[i] = light ? u[i] - block.kick * f[i] / mass[i] : u[i];
+    }
+  }
+}
+
 inline void load_window(Window& window, const std::array<const double*, 9>& nodes, unsigned mask) {
   for (int q = 0; q < node_value_count; ++q) {
     if (!(mask >> q & 1u)) continue;

@@ -10,8 +10,7 @@ namespace {
 Scene busy(const std::string& scheme) {
   Scene scene = test::discs(0.04);
   scene.numerics.scheme = scheme;
-  // USL does not survive particles that enter cells with nothing else in them (Asiri 2022, section 3.2.2).
-  scene.analysis = {scheme == "USL" ? 0.1 : 2.5, 0.01};
+  scene.analysis = {2.5, 0.01};
   scene.outputs.samples = 10;
   scene.outputs.snapshots = 2;
   scene.loads = {{"gravity", BodyForce{{0.01, -0.02}, {"one"}}},
