@@ -2,9 +2,9 @@
 
 #include <muParser.h>
 
+#include <cctype>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include "solver/model/names.h"
@@ -19,28 +19,33 @@ constexpr std::string_view others = "+-*/^()<>=!&|?:,. \t\r\n";
 
 bool contains(std::string_view set, char c) { return set.find(c) != std::string_view::npos; }
 
-[[noreturn]] void fail(std::size_t position, const std::string& problem) {
-  throw std::invalid_argument(problem + " (character " + std::to_string(position + 1) + ")");
+[[noreturn]] void fail(std::size_t position, const std::string& problem,
+                       const std::string& remedy = "correct the formula") {
+  throw FormulaError("at character " + std::to_string(position + 1) + ": " + problem, remedy);
 }
 
 /// Refuses what muParser would accept but a scene has no use for (assignments, strings), and what
 /// would cost it much time or stack.
 void check_characters(const std::string& text) {
   if (text.size() > Expression::longest) {
-    fail(Expression::longest, "the formula has more than " + std::to_string(Expression::longest) + " characters");
+    throw FormulaError("the formula has " + std::to_string(text.size()) + " characters",
+                       "give at most " + std::to_string(Expression::longest) + "; name parts of it as constants");
   }
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw std::invalid_argument("the formula is empty");
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw FormulaError("the formula is empty", "give a number or a formula");
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (!contains(letters, c) && !contains(digits, c) && !contains(others, c)) {
-      fail(i, "there is a character that formulas do not use");
+      fail(i, "formulas do not use this character");
     }
     if (c == ')') --depth;
-    if ((c == '(' || c == '?') && ++depth > Expression::deepest) fail(i, "the formula is nested too deeply");
+    if ((c == '(' || c == '?') && ++depth > Expression::deepest) {
+      fail(i, "parentheses and conditions are nested too deeply", "name parts of the formula as constants");
+    };
     const bool comparison =
         (i > 0 && contains("<>=!", text[i - 1])) || (i + 1 < text.size() && text[i + 1] == '=');
-    if (c == '=' && !comparison) fail(i, "a formula cannot assign; compare with ==");
+    if (c == '=' && !comparison) fail(i, "a formula cannot assign", "compare with ==");
   }
 }
 
@@ -87,11 +92,22 @@ const mu::funmap_type& functions() {
   std::vector<std::string> known = {"pi"};
   for (const char variable : variables) known.emplace_back(1, variable);
   for (const auto& [name, value] : constants) known.push_back(name);
-  const std::string allowed = list_of(known);
+  const std::string allowed = "besides functions the formula may use " + list_of(known);
   for (const auto& [name, callback] : functions()) known.push_back(name);
-  fail(unknown.position, "\"" + shortened(unknown.name) + "\" has no meaning here" +
-                             did_you_mean(unknown.name, known) + "; besides functions the formula may use " +
-                             allowed);
+  const std::string hint = did_you_mean(unknown.name, known);
+  fail(unknown.position, quoted(unknown.name) + " has no meaning here",
+       hint.empty() ? allowed : hint + " (" + allowed + ")");
+}
+
+/// muParser counts characters from 0 and says so at the end of its message.
+[[noreturn]] void fail_unreadable(const mu::ParserError& error) {
+  std::string said = error.GetMsg();
+  for (const char* place : {" found at position ", " at position "}) said = said.substr(0, said.find(place));
+  if (said.ends_with('.')) said.pop_back();
+  said[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(said[0])));
+  const auto position = static_cast<std::size_t>(error.GetPos());
+  if (error.GetPos() < 0) throw FormulaError("not a formula: " + shortened(said));
+  fail(position, shortened(said));
 }
 
 }  // namespace
@@ -135,9 +151,9 @@ struct Expression::Parser {
       parser.SetExpr(text);
       parser.Eval();
     } catch (const mu::ParserError& error) {
-      throw std::invalid_argument("this is not a formula: " + shortened(error.GetMsg()));
+      fail_unreadable(error);
     }
-    if (parser.GetNumResults() != 1) throw std::invalid_argument("a formula has one value, not several");
+    if (parser.GetNumResults() != 1) throw FormulaError("a formula has one value, not several");
   }
 };
 

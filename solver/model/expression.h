@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,17 @@ namespace trajan {
 
 /// Values that expressions may use by name.
 using Constants = std::map<std::string, double>;
+
+/// What is wrong with a formula and where in it, and what would be right.
+class FormulaError : public std::invalid_argument {
+ public:
+  explicit FormulaError(const std::string& problem, std::string remedy = "correct the formula")
+      : std::invalid_argument(problem), remedy_(std::move(remedy)) {}
+  const std::string& remedy() const { return remedy_; }
+
+ private:
+  std::string remedy_;
+};
 
 /// A formula of x, y and t in muParser syntax, `pi` and the scene's constants included. Copies share
 /// nothing that changes; one object must not be evaluated by two threads at once.
@@ -18,7 +30,7 @@ class Expression {
   static constexpr int deepest = 64;            ///< nested parentheses and conditions
 
   /// `variables`: the letters of "xyt" that the formula may use.
-  /// Throws std::invalid_argument whose text says what is wrong and where in the formula.
+  /// Throws FormulaError.
   Expression(const std::string& text, const std::string& variables, const Constants& constants);
   Expression(const Expression& other);
   Expression(Expression&& other) noexcept;

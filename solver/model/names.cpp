@@ -13,22 +13,26 @@ namespace {
 constexpr std::size_t longest_name = 64;
 constexpr std::size_t longest_text = 80;
 
-/// Levenshtein distance without regard to case.
+/// Insertions, deletions, substitutions and swaps of neighbours (optimal string alignment distance),
+/// without regard to case.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
+  const auto same = [&](std::size_t i, std::size_t j) {
+    return std::tolower(static_cast<unsigned char>(a[i])) == std::tolower(static_cast<unsigned char>(b[j]));
+  };
+  std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), current(b.size() + 1);
+  std::iota(last.begin(), last.end(), 0);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
+    current[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const bool same =
-          std::tolower(static_cast<unsigned char>(a[i])) == std::tolower(static_cast<unsigned char>(b[j]));
-      const std::size_t changed = diagonal + (same ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+      current[j + 1] = std::min({last[j] + (same(i, j) ? 0 : 1), last[j + 1] + 1, current[j] + 1});
+      if (i > 0 && j > 0 && same(i, j - 1) && same(i - 1, j)) {
+        current[j + 1] = std::min(current[j + 1], before_last[j - 1] + 1);
+      }
     }
+    before_last.swap(last);
+    last.swap(current);
   }
-  return row[b.size()];
+  return last[b.size()];
 }
 
 }  // namespace
@@ -46,11 +50,37 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> can
       best = &candidate;
     }
   }
-  return best == nullptr ? "" : " (did you mean \"" + *best + "\"?)";
+  return best == nullptr ? "" : "did you mean " + quoted(*best) + "?";
+}
+
+std::vector<std::string> nearest_first(std::string_view name, std::span<const std::string> candidates) {
+  if (name.empty() || name.size() > longest_name) return {candidates.begin(), candidates.end()};
+  struct Ranked {
+    std::size_t rank;
+    const std::string* candidate;
+  };
+  std::vector<Ranked> ranked;
+  for (const std::string& candidate : candidates) {
+    const bool contains = candidate.find(name) != std::string::npos;
+    ranked.push_back({contains ? 0 : 1 + edit_distance(name, candidate.substr(0, 2 * longest_name)), &candidate});
+  }
+  std::ranges::stable_sort(ranked, {}, &Ranked::rank);
+  std::vector<std::string> sorted;
+  for (const Ranked& entry : ranked) sorted.push_back(*entry.candidate);
+  return sorted;
 }
 
 std::string shortened(std::string_view text) {
-  return text.size() <= longest_text ? std::string(text) : std::string(text.substr(0, longest_text)) + "...";
+  if (text.size() <= longest_text) return std::string(text);
+  std::size_t end = longest_text;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
+std::string quoted(std::string_view text) { return '"' + shortened(text) + '"'; }
+
+std::string plural(const std::string& noun) {
+  return noun.ends_with('y') ? noun.substr(0, noun.size() - 1) + "ies" : noun + "s";
 }
 
 std::string number_text(double value) {

@@ -34,7 +34,8 @@ Model Validator::run() {
 
 void Validator::check_head() {
   if (!is_identifier(scene_.name)) {
-    violations_.add("name", scene_.name, scene_.name.empty() ? "a scene needs a name" : "is not a name",
+    violations_.add("name", scene_.name,
+                    scene_.name.empty() ? "a scene needs a name" : quoted(scene_.name) + " is not a valid name",
                     "use 1 to 64 letters, digits, _ or -");
   }
   model_.name = scene_.name;
@@ -44,8 +45,8 @@ void Validator::check_head() {
 
 void Validator::check_constants() {
   if (scene_.constants.size() > most_entries) {
-    violations_.add("constants", std::to_string(scene_.constants.size()) + " entries",
-                    "there are too many entries", "give at most " + std::to_string(most_entries));
+    violations_.add("constants", std::to_string(scene_.constants.size()) + " entries", "the list is too long",
+                    "give at most " + std::to_string(most_entries));
     return;
   }
   for (std::size_t i = 0; i < scene_.constants.size(); ++i) {
@@ -53,12 +54,14 @@ void Validator::check_constants() {
     const std::string path = indexed("constants", i);
     const bool letter_first = !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
     if (!letter_first || !is_identifier(name) || name.find('-') != std::string::npos) {
-      violations_.add(path + ".name", name, "is not a name that formulas can use",
+      violations_.add(path + ".name", name, quoted(name) + " is not a name that formulas can use",
                       "use a letter followed by letters, digits and _, at most 64");
     } else if (is_reserved_in_expressions(name)) {
-      violations_.add(path + ".name", name, "means something else in formulas", "choose another name");
+      violations_.add(path + ".name", name, quoted(name) + " means something else in formulas",
+                      "choose another name");
     } else if (constants_.contains(name)) {
-      violations_.add(path + ".name", name, "is the name of an earlier constant", "choose another name");
+      violations_.add(path + ".name", name, quoted(name) + " is the name of an earlier constant",
+                      "choose another name");
     }
     const auto value = formula(path + ".value", text, "");
     // A constant that is wrong still has a name: what uses it is not wrong as well.
@@ -69,13 +72,13 @@ void Validator::check_constants() {
 void Validator::check_domain() {
   const Domain& domain = scene_.domain;
   if (domain.dimension == Dimension::unspecified) {
-    violations_.add("domain.dimension", "", "is not given", "choose PLANE_STRESS or PLANE_STRAIN");
+    violations_.add("domain.dimension", "", "not given", "choose PLANE_STRESS or PLANE_STRAIN");
   }
   bool good = violations_.finite("domain.lower", domain.lower);
   good = violations_.finite("domain.upper", domain.upper) && good;
   if (good && !(domain.lower.x < domain.upper.x && domain.lower.y < domain.upper.y)) {
     good = violations_.add(
-        "domain.upper", point_text(domain.upper), "is not above and to the right of domain.lower",
+        "domain.upper", point_text(domain.upper), "not above and to the right of domain.lower",
         "give upper.x > " + number_text(domain.lower.x) + " and upper.y > " + number_text(domain.lower.y));
   }
   good = violations_.positive("domain.cell_size", domain.cell_size) && good;
@@ -95,7 +98,7 @@ void Validator::check_grid(const std::string& path) {
   const double cells_y = cells(domain.lower.y, domain.upper.y);
   if (!(std::max(cells_x, cells_y) <= most_cells)) {
     violations_.add(path, number_text(cell),
-                    "gives " + number_text(std::max(cells_x, cells_y)) + " cells along an axis",
+                    "this makes " + number_text(std::max(cells_x, cells_y)) + " cells along an axis",
                     "give larger cells or a smaller domain: at most 2^30 cells along an axis");
     return;
   }
@@ -103,7 +106,7 @@ void Validator::check_grid(const std::string& path) {
       {std::abs(domain.lower.x), std::abs(domain.upper.x), std::abs(domain.lower.y), std::abs(domain.upper.y)});
   // Beyond this, coordinates are not accurate to a millionth of a cell.
   if (!(farthest / cell <= 2 * most_cells)) {
-    violations_.add(path, number_text(cell), "is too small for coordinates as large as " + number_text(farthest),
+    violations_.add(path, number_text(cell), "too small for coordinates as large as " + number_text(farthest),
                     "move the scene closer to the origin: at most 2^31 cells away");
     return;
   }
@@ -116,10 +119,12 @@ void Validator::check_names(const std::string& path, const std::vector<std::stri
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string place = indexed(path, i) + ".name";
     if (!is_identifier(names[i])) {
-      violations_.add(place, names[i], names[i].empty() ? "a name is needed" : "is not a name",
+      violations_.add(place, names[i],
+                      names[i].empty() ? "a name is needed" : quoted(names[i]) + " is not a valid name",
                       "use 1 to 64 letters, digits, _ or -");
     } else if (!seen.insert(names[i]).second) {
-      violations_.add(place, names[i], "is the name of an earlier entry", "choose another name");
+      violations_.add(place, names[i], quoted(names[i]) + " is the name of an earlier entry",
+                      "choose another name");
     }
   }
 }
@@ -141,8 +146,8 @@ std::optional<Expression> Validator::formula(const std::string& path, const std:
     if (variables.find('t') != std::string::npos) place = " at t = " + number_text(t);
     violations_.add(path, text, "the formula is " + number_text(value) + place,
                     "give a formula that is finite there");
-  } catch (const std::invalid_argument& error) {
-    violations_.add(path, text, error.what(), "correct the formula");
+  } catch (const FormulaError& error) {
+    violations_.add(path, text, error.what(), error.remedy());
   }
   return std::nullopt;
 }
@@ -160,9 +165,17 @@ std::optional<Expression> Validator::history_formula(const std::string& path, co
 
 void Validator::unknown_name(const std::string& path, const std::string& name, const std::string& what,
                              const std::vector<std::string>& known) {
-  const std::string hint = violations_.worth_a_hint() ? did_you_mean(name, known) : "";
-  violations_.add(path, name, name.empty() ? "names no " + what : "there is no " + what + " of this name" + hint,
-                  known.empty() ? "define a " + what : "choose one of: " + list_of(known));
+  const std::string problem =
+      name.empty() ? "no " + what + " is named" : "there is no " + what + " " + quoted(name);
+  if (known.empty()) {
+    violations_.add(path, name, problem, "define a " + what);
+    return;
+  }
+  const std::vector<std::string> sorted = violations_.worth_a_hint() ? nearest_first(name, known) : known;
+  const std::string hint = did_you_mean(name, std::span(sorted).first(1));
+  violations_.add(path, name, problem,
+                  hint.empty() ? "the " + plural(what) + " are: " + list_of(sorted)
+                               : hint + " (" + plural(what) + ": " + list_of(sorted) + ")");
 }
 
 }  // namespace trajan

@@ -37,14 +37,14 @@ bool Validator::check_region(const std::string& path, const Region& region, bool
     if (solid ? width > 0 && height > 0 : width >= 0 && height >= 0) return true;
     return violations_.add(
         path + ".box.upper", point_text(box->upper),
-        "is not above and to the right of lower, " + point_text(box->lower),
+        "not above and to the right of lower, " + point_text(box->lower),
         solid ? "give upper.x > lower.x and upper.y > lower.y" : "give upper.x >= lower.x and upper.y >= lower.y");
   }
   if (const Disc* disc = std::get_if<Disc>(&region)) {
     const bool centre = violations_.finite(path + ".disc.centre", disc->centre);
     return violations_.positive(path + ".disc.radius", disc->radius) && centre;
   }
-  return violations_.add(path, "", "has no shape", "give a box or a disc");
+  return violations_.add(path, "", "no shape is given", "give a box or a disc");
 }
 
 void Validator::check_bodies() {
@@ -88,7 +88,7 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
                         grid.origin.y + static_cast<double>(grid.cells_y) * grid.cell};
   if (outer.lower.x < grid.origin.x - slack || outer.lower.y < grid.origin.y - slack ||
       outer.upper.x > upper.x + slack || outer.upper.y > upper.y + slack) {
-    return violations_.add(path + ".geometry", box_text(outer), "reaches out of the domain",
+    return violations_.add(path + ".geometry", box_text(outer), "the body reaches out of the domain",
                            "stay within " + box_text({grid.origin, upper}) + " or enlarge the domain");
   }
   const double points = estimated_points(geometry, grid.cell, definition.particles_per_cell_side);
@@ -99,7 +99,7 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
   body.lattice = make_lattice(geometry, grid.origin, grid.cell, definition.particles_per_cell_side);
   body.particles = body.lattice.count();
   if (body.particles == 0) {
-    return violations_.add(path + ".geometry", box_text(outer), "is so small that no particle lies in it",
+    return violations_.add(path + ".geometry", box_text(outer), "the body is so small that no particle lies in it",
                            "give a larger body, smaller cells or more particles per cell");
   }
   body.particle_volume = particle_volume(body.lattice, model_.thickness);

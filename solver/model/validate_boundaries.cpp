@@ -63,7 +63,7 @@ void Validator::check_boundary(const std::string& path, const BoundaryDefinition
   if (check_region(path + ".nodes", definition.nodes, false) && grid_complete_) {
     condition.nodes = nodes_in(model_.grid, definition.nodes, node_tolerance);
     if (is_empty(model_.grid, condition.nodes)) {
-      violations_.add(path + ".nodes", "", "catches no node of the grid",
+      violations_.add(path + ".nodes", "", "the region catches no node of the grid",
                       "enlarge the region; nodes lie at domain.lower + cell_size * (i, j)");
     }
   }
@@ -72,7 +72,7 @@ void Validator::check_boundary(const std::string& path, const BoundaryDefinition
   } else if (const auto* prescribed = std::get_if<PrescribedVelocity>(&definition.condition)) {
     check_condition(path + ".prescribed_velocity", *prescribed, condition);
   } else {
-    violations_.add(path, "", "has no condition", "give fixed or prescribed_velocity");
+    violations_.add(path, "", "no condition is given", "give fixed or prescribed_velocity");
   }
   model_.conditions.push_back(std::move(condition));
 }
@@ -81,7 +81,7 @@ void Validator::check_condition(const std::string& path, const Fixed& fixed, Nod
   const Expression zero("0", "t", {});
   for (std::size_t i = 0; i < fixed.axes.size(); ++i) {
     if (fixed.axes[i] == Axis::unspecified) {
-      violations_.add(indexed(path + ".axes", i), "", "is not an axis", "give X or Y");
+      violations_.add(indexed(path + ".axes", i), "", "AXIS_UNSPECIFIED is not an axis", "give X or Y");
     }
   }
   const auto holds = [&](Axis axis) {
@@ -95,7 +95,7 @@ void Validator::check_condition(const std::string& path, const PrescribedVelocit
                                 NodeCondition& condition) {
   const VectorExpression& velocity = prescribed.velocity;
   if (!velocity.x && !velocity.y) {
-    violations_.add(path + ".velocity", "", "prescribes no component", "give x, y or both");
+    violations_.add(path + ".velocity", "", "no component is given", "give x, y or both");
   }
   if (velocity.x) condition.velocity_x = history_formula(path + ".velocity.x", *velocity.x);
   if (velocity.y) condition.velocity_y = history_formula(path + ".velocity.y", *velocity.y);

@@ -42,7 +42,7 @@ std::size_t first_disorder(const std::vector<double>& times) {
 
 bool check_table(Violations& violations, const std::string& path, const Table& table) {
   if (table.times.empty())
-    return violations.add(path + ".times", "", "is empty", "give at least one time and value");
+    return violations.add(path + ".times", "", "the list is empty", "give at least one time and value");
   if (table.values.size() != table.times.size()) {
     return violations.add(path + ".values", std::to_string(table.values.size()) + " values",
                           "there are not as many values as times",
@@ -56,7 +56,7 @@ bool check_table(Violations& violations, const std::string& path, const Table& t
   const std::size_t disorder = first_disorder(table.times);
   if (!good || disorder == 0) return good;
   return violations.add(indexed(path + ".times", disorder), number_text(table.times[disorder]),
-                        "is not after the time before it", "give strictly increasing times");
+                        "not after the time before it", "give strictly increasing times");
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void Validator::check_load(const std::string& path, const LoadDefinition& defini
     model_.body_loads.push_back(
         {definition.name, body->acceleration, loaded_bodies(path + ".body_force", *body), time});
   } else {
-    violations_.add(path, "", "has no kind of load", "give point_force, edge_traction or body_force");
+    violations_.add(path, "", "no kind of load is given", "give point_force, edge_traction or body_force");
   }
 }
 
@@ -92,7 +92,7 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Poi
   const double outside = distance_from(carrier.lattice.geometry, force.position);
   if (!(outside <= farthest)) {
     violations_.add(path + ".position", point_text(force.position),
-                    "lies " + number_text(outside) + " outside of body " + shortened(force.body),
+                    number_text(outside) + " outside of body " + quoted(force.body),
                     "choose a place in the body or at most " + number_text(std::max(spacing.x, spacing.y)) +
                         " (one particle spacing) outside");
     return {};
@@ -106,11 +106,12 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Edg
   const auto body = find_body(path + ".body", traction.body);
   violations_.finite(path + ".traction", traction.traction);
   if (traction.edge == Edge::unspecified) {
-    violations_.add(path + ".edge", "", "is not given", "give LEFT, RIGHT, BOTTOM or TOP");
+    violations_.add(path + ".edge", "", "not given", "give LEFT, RIGHT, BOTTOM or TOP");
   }
   const bool box = !body || std::holds_alternative<Box>(scene_.bodies[*body].geometry);
   if (!box) {
-    violations_.add(path + ".body", traction.body, "is not a box and has no straight edges",
+    violations_.add(path + ".body", traction.body,
+                    quoted(traction.body) + " is not a box and has no straight edges",
                     "choose a body whose geometry is a box");
   }
   const bool usable = body && box && is_complete(*body);
@@ -146,15 +147,16 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Edg
 std::vector<std::size_t> Validator::loaded_bodies(const std::string& path, const BodyForce& force) {
   std::vector<std::size_t> bodies;
   if (force.bodies.size() > most_entries) {
-    violations_.add(path + ".bodies", std::to_string(force.bodies.size()) + " entries",
-                    "there are too many entries", "give at most " + std::to_string(most_entries));
+    violations_.add(path + ".bodies", std::to_string(force.bodies.size()) + " entries", "the list is too long",
+                    "give at most " + std::to_string(most_entries));
     return bodies;
   }
   for (std::size_t i = 0; i < force.bodies.size(); ++i) {
     const auto body = find_body(indexed(path + ".bodies", i), force.bodies[i]);
     if (!body) continue;
     if (std::ranges::find(bodies, *body) != bodies.end()) {
-      violations_.add(indexed(path + ".bodies", i), force.bodies[i], "is named twice", "name each body once");
+      violations_.add(indexed(path + ".bodies", i), force.bodies[i], quoted(force.bodies[i]) + " is named twice",
+                      "name each body once");
     }
     bodies.push_back(*body);
   }

@@ -17,7 +17,8 @@ std::vector<std::string> law_names() {
 std::string range_text(const Parameter& parameter) {
   std::string text;
   if (std::isfinite(parameter.lowest)) text += "greater than " + number_text(parameter.lowest);
-  if (std::isfinite(parameter.highest)) {
+  // A bound against overflow alone is none that people need to know.
+  if (parameter.highest < 1e300) {
     text += (text.empty() ? "" : " and ") + std::string("less than ") + number_text(parameter.highest);
   }
   return text.empty() ? "finite" : text;
@@ -43,7 +44,7 @@ void Validator::check_materials() {
 
 void Validator::check_law(const std::string& path, const MaterialDefinition& definition, Material& material) {
   if (definition.law.empty()) {
-    violations_.add(path, "", "has no constitutive law", "give one of: " + list_of(law_names()));
+    violations_.add(path, "", "no constitutive law is given", "give one of: " + list_of(law_names()));
     return;
   }
   material.kind = find_material_kind(definition.law);
@@ -55,9 +56,9 @@ void Validator::check_law(const std::string& path, const MaterialDefinition& def
     known.emplace_back(parameter.name);
     const auto given = definition.parameters.find(known.back());
     if (given == definition.parameters.end()) {
-      complete = violations_.add(law_path + "." + known.back(), "",
-                                 "is not given (" + std::string(parameter.meaning) + ")",
-                                 "give a number " + range_text(parameter));
+      complete =
+          violations_.add(law_path + "." + known.back(), "", "not given (" + std::string(parameter.meaning) + ")",
+                          "give a number " + range_text(parameter));
       continue;
     }
     material.parameters.push_back(given->second);
@@ -79,7 +80,7 @@ void Validator::check_law(const std::string& path, const MaterialDefinition& def
 
 bool Validator::check_parameter(const std::string& path, const Parameter& parameter, double value) {
   if (std::isfinite(value) && value > parameter.lowest && value < parameter.highest) return true;
-  return violations_.add(path, number_text(value), "is out of range for the " + std::string(parameter.meaning),
+  return violations_.add(path, number_text(value), "out of range for " + std::string(parameter.meaning),
                          "give a number " + range_text(parameter));
 }
 

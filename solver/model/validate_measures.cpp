@@ -36,7 +36,7 @@ void Validator::check_measure(const std::string& path, const MeasureDefinition& 
     measure.exact_history = history_formula(path + ".deviation.exact_history", deviation->exact_history);
     violations_.positive(path + ".deviation.scale", deviation->scale);
   } else if (std::holds_alternative<std::monostate>(definition.kind)) {
-    violations_.add(path, "", "does not say how to measure",
+    violations_.add(path, "", "no way to measure is given",
                     "give final, extreme, mean, dominant_frequency or deviation");
   } else if (std::holds_alternative<ExtremeValue>(definition.kind)) {
     measure.kind = std::get<ExtremeValue>(definition.kind);
@@ -55,7 +55,7 @@ void Validator::check_window(const std::string& path, const MeasureDefinition& d
   const bool until = !definition.until || violations_.not_negative(path + ".until", *definition.until);
   if (!from || !until || !clock_complete_) return;
   if (definition.until && measure.until > end * (1 + node_tolerance)) {
-    violations_.add(path + ".until", number_text(measure.until), "is after the end of the analysis",
+    violations_.add(path + ".until", number_text(measure.until), "after the end of the analysis",
                     "give at most " + number_text(end) + " or leave it out");
     return;
   }
@@ -65,7 +65,7 @@ void Validator::check_window(const std::string& path, const MeasureDefinition& d
   if (count < needed) {
     violations_.add(
         path + ".from", number_text(measure.from),
-        std::to_string(std::max<std::int64_t>(0, count)) + " samples lie from then until " +
+        (count > 0 ? "only " + std::to_string(count) + " samples lie" : "no sample lies") + " from then until " +
             number_text(measure.until),
         "give a longer time or more outputs.samples: at least " + std::to_string(needed) + " must lie there");
   }
@@ -77,10 +77,10 @@ void Validator::check_frequency(const std::string& path, const DominantFrequency
   if (!lowest || !highest || !clock_complete_) return;
   const double nyquist = scene_.outputs.samples / scene_.analysis.end_time / 2;
   if (frequency.highest && *frequency.highest > nyquist) {
-    violations_.add(path + ".highest", number_text(*frequency.highest), "is above half the sampling rate",
+    violations_.add(path + ".highest", number_text(*frequency.highest), "above half the sampling rate",
                     "give at most " + number_text(nyquist) + " or more outputs.samples");
   } else if (frequency.lowest >= frequency.highest.value_or(nyquist)) {
-    violations_.add(path + ".lowest", number_text(frequency.lowest), "is not below the highest frequency",
+    violations_.add(path + ".lowest", number_text(frequency.lowest), "not below the highest frequency",
                     "give less than " + number_text(frequency.highest.value_or(nyquist)));
   }
 }

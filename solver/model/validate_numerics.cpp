@@ -32,11 +32,11 @@ void Validator::check_numerics() {
     unknown_name("numerics.scheme", numerics.scheme, "scheme", schemes);
   }
   if (std::ranges::find(shapes, numerics.shape_functions) == shapes.end()) {
-    unknown_name("numerics.shape_functions", numerics.shape_functions, "kind of shape functions", shapes);
+    unknown_name("numerics.shape_functions", numerics.shape_functions, "shape function", shapes);
   }
   violations_.within("numerics.flip_fraction", numerics.flip_fraction, 0, 1);
   if (!(numerics.time_step_fraction > 0 && numerics.time_step_fraction <= 1)) {
-    violations_.add("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "is out of range",
+    violations_.add("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "out of range",
                     "give a value greater than 0 and at most 1");
   }
   if (numerics.time_step) violations_.positive("numerics.time_step", *numerics.time_step);
@@ -48,17 +48,16 @@ void Validator::check_time_step() {
   const TimeStepLimit limit = time_step_limit(model_);
   const auto& asked = model_.numerics.time_step;
   if (asked && !(*asked <= limit.value)) {
-    violations_.add("numerics.time_step", number_text(*asked),
-                    "is beyond the stable limit (" + limit.because + ")",
-                    "give at most " + number_text(limit.value) + " or leave it out");
+    violations_.add("numerics.time_step", number_text(*asked), "beyond the stable limit",
+                    "give at most " + number_text(limit.value) + " (" + limit.because + ") or leave it out");
     return;
   }
   const double step = asked ? *asked : limit.value * model_.numerics.time_step_fraction;
   if (!(model_.end_time / step <= most_steps)) {
     violations_.add("analysis.end_time", number_text(model_.end_time),
-                    "takes " + number_text(model_.end_time / step) + " steps of " + number_text(step) + " (" +
-                        limit.because + ")",
-                    "give an earlier end, larger cells or a slower material: at most 10^12 steps");
+                    "this takes " + number_text(model_.end_time / step) + " steps of " + number_text(step),
+                    "the step is limited by " + limit.because +
+                        ": give an earlier end, larger cells or a slower material: at most 10^12 steps");
   }
 }
 

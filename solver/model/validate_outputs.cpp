@@ -36,7 +36,7 @@ void Validator::check_outputs() {
   const double columns = static_cast<double>(columns_.size());
   if (samples && columns * outputs.samples > most_history_values) {
     violations_.add("outputs.samples", std::to_string(outputs.samples),
-                    "gives histories of " + number_text(columns) + " columns and as many rows",
+                    "too many rows for histories of " + number_text(columns) + " columns",
                     "give fewer samples or probes: at most 10^9 values in all");
   }
 }
@@ -47,11 +47,11 @@ void Validator::check_snapshots() {
       scene_.outputs.snapshots.value_or(nearest_smaller_divisor(samples, default_snapshots));
   if (snapshots == 0) return;
   if (snapshots < 0 || snapshots > samples) {
-    violations_.add("outputs.snapshots", std::to_string(snapshots), "is out of range",
+    violations_.add("outputs.snapshots", std::to_string(snapshots), "out of range",
                     "give 0, or a divisor of outputs.samples, " + std::to_string(samples));
   } else if (samples % snapshots != 0) {
     violations_.add("outputs.snapshots", std::to_string(snapshots),
-                    "does not divide outputs.samples, " + std::to_string(samples),
+                    "must divide outputs.samples, " + std::to_string(samples),
                     "give for example " + std::to_string(nearest_smaller_divisor(samples, snapshots)));
   } else {
     model_.outputs.samples_per_snapshot = samples / snapshots;
@@ -62,12 +62,12 @@ bool Validator::check_fields(const std::string& path, const std::vector<Field>& 
   bool good = true;
   for (std::size_t i = 0; i < fields.size() && violations_.worth_a_hint(); ++i) {
     if (fields[i] == Field::unspecified) {
-      good = violations_.add(indexed(path, i), "", "is not a field",
+      good = violations_.add(indexed(path, i), "", "FIELD_UNSPECIFIED is not a field",
                              "give POSITION, DISPLACEMENT, VELOCITY or STRESS");
     } else if (std::find(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(i), fields[i]) !=
                fields.begin() + static_cast<std::ptrdiff_t>(i)) {
-      good = violations_.add(indexed(path, i), std::string(field_name(fields[i])), "is asked for twice",
-                             "name each field once");
+      good = violations_.add(indexed(path, i), std::string(field_name(fields[i])),
+                             quoted(field_name(fields[i])) + " is asked for twice", "name each field once");
     }
   }
   return good;
@@ -79,12 +79,13 @@ void Validator::check_probe(const std::string& path, const ProbeDefinition& defi
   probe.fields = definition.fields;
   bool good = is_identifier(definition.name);
   if (definition.name == "energies" || definition.name == "momentum") {
-    good =
-        violations_.add(path + ".name", definition.name, "is the name of other histories", "choose another name");
+    good = violations_.add(path + ".name", definition.name,
+                           quoted(definition.name) + " is the name of other histories", "choose another name");
   }
   good = check_fields(path + ".fields", definition.fields) && good;
   if (definition.fields.empty()) {
-    good = violations_.add(path + ".fields", "", "is empty", "give POSITION, DISPLACEMENT, VELOCITY or STRESS");
+    good = violations_.add(path + ".fields", "", "the list is empty",
+                           "give POSITION, DISPLACEMENT, VELOCITY or STRESS");
   }
   std::vector<std::size_t> bodies;
   bool complete = true;
@@ -101,7 +102,7 @@ void Validator::check_probe(const std::string& path, const ProbeDefinition& defi
     probe.mean = true;
     probe.particles = within_region(path + ".mean", *region, bodies);
   } else {
-    violations_.add(path, "", "has no place", "give nearest or mean");
+    violations_.add(path, "", "no place is given", "give nearest or mean");
   }
   if (good) {
     model_.outputs.probes.push_back(std::move(probe));
@@ -134,7 +135,7 @@ std::vector<std::int64_t> Validator::within_region(const std::string& path, cons
   }
   for (const std::size_t body : bodies) particles_in(model_.bodies[body], region, particles);
   if (particles.empty()) {
-    violations_.add(path, "", "catches no particle", "enlarge the region or move it into a body");
+    violations_.add(path, "", "the region catches no particle", "enlarge the region or move it into a body");
   }
   return particles;
 }

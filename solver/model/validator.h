@@ -78,6 +78,7 @@ class Validator {
   std::optional<Expression> history_formula(const std::string& path, const std::string& text);
   /// Index of the body of this name; says so if there is none.
   std::optional<std::size_t> find_body(const std::string& path, const std::string& name);
+  /// There is no `what` of this name; `known` are those that there are.
   void unknown_name(const std::string& path, const std::string& name, const std::string& what,
                     const std::vector<std::string>& known);
   /// Whether the body's lattice can be used.
@@ -101,7 +102,7 @@ class Validator {
 template <typename Entries>
 bool Validator::check_list(const std::string& path, const Entries& entries) {
   if (entries.size() > most_entries) {
-    return violations_.add(path, std::to_string(entries.size()) + " entries", "there are too many entries",
+    return violations_.add(path, std::to_string(entries.size()) + " entries", "the list is too long",
                            "give at most " + std::to_string(most_entries));
   }
   std::vector<std::string> names;

@@ -14,7 +14,7 @@ bool Violations::add(std::string path, std::string value, std::string problem, s
 }
 
 bool Violations::finite(const std::string& path, double value) {
-  return std::isfinite(value) || add(path, number_text(value), "is not a finite number", "give a finite number");
+  return std::isfinite(value) || add(path, number_text(value), "not a finite number", "give a finite number");
 }
 
 bool Violations::finite(const std::string& path, Vector value) {
@@ -35,7 +35,7 @@ bool Violations::not_negative(const std::string& path, double value) {
 
 bool Violations::within(const std::string& path, double value, double lowest, double highest) {
   return (value >= lowest && value <= highest) ||
-         add(path, number_text(value), "is out of range",
+         add(path, number_text(value), "out of range",
              "give a value from " + number_text(lowest) + " to " + number_text(highest));
 }
 

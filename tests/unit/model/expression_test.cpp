@@ -5,19 +5,19 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 namespace trajan {
 namespace {
 
 using testing::HasSubstr;
 
+/// What is wrong, then what would be right.
 std::string complaint(const std::string& text, const std::string& variables = "xyt",
                       const Constants& constants = {}) {
   try {
     Expression expression(text, variables, constants);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
+  } catch (const FormulaError& error) {
+    return std::string(error.what()) + "; " + error.remedy();
   }
   return "";
 }
@@ -58,7 +58,8 @@ TEST(Expression, NamesWhatItDoesNotKnowAndWhere) {
   const std::string text = complaint("2 * lenght", "t", {{"length", 1}});
   EXPECT_THAT(text, HasSubstr("\"lenght\""));
   EXPECT_THAT(text, HasSubstr("did you mean \"length\"?"));
-  EXPECT_THAT(text, HasSubstr("(character 5)"));
+  EXPECT_THAT(text, HasSubstr("at character 5"));
+  EXPECT_THAT(complaint("2 * (1 + )"), HasSubstr("at character 10: unexpected parenthesis"));
   EXPECT_THAT(complaint("x + t", "x"), HasSubstr("\"t\" has no meaning here"));
   EXPECT_THAT(complaint("cosh(sim(t))"), HasSubstr("did you mean \"sin\"?"));
 }
@@ -76,11 +77,11 @@ TEST(Expression, RefusesFormulasThatAreTooLongOrTooDeep) {
   std::string sum = "1";
   while (sum.size() + 2 <= Expression::longest) sum += "+1";
   EXPECT_EQ(complaint(sum), "");
-  EXPECT_THAT(complaint(sum + "+1"), HasSubstr("more than 1024 characters"));
+  EXPECT_THAT(complaint(sum + "+1"), HasSubstr("1025 characters"));
   const std::string open(Expression::deepest, '('), close(Expression::deepest, ')');
   EXPECT_EQ(complaint(open + "1" + close), "");
   EXPECT_THAT(complaint("(" + open + "1" + close + ")"), HasSubstr("nested too deeply"));
-  EXPECT_THAT(complaint(std::string(1'000'000, '(')), HasSubstr("1024"));
+  EXPECT_THAT(complaint(std::string(1'000'000, '(')), HasSubstr("1000000 characters"));
 }
 
 TEST(Expression, KeepsTheMeaningsThatFormulasGiveToNames) {

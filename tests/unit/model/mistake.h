@@ -17,7 +17,8 @@ struct Mistake {
   std::string name;
   std::function<void(Scene&)> make;
   std::string path;
-  std::string problem;  ///< a part of it
+  std::string problem;      ///< a part of it
+  std::string remedy = {};  ///< a part of it
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Mistake& mistake) { return out << mistake.name; }
@@ -32,6 +33,7 @@ inline void expect_violation(const Mistake& mistake) {
   ASSERT_THAT(paths_of(scene), testing::ElementsAre(mistake.path));
   EXPECT_THAT(violations[0].problem, testing::HasSubstr(mistake.problem));
   EXPECT_NE(violations[0].remedy, "");
+  EXPECT_THAT(violations[0].remedy, testing::HasSubstr(mistake.remedy));
 }
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();

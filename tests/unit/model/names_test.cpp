@@ -9,12 +9,25 @@ namespace {
 
 TEST(Names, HintIsTheNearestNameIfOneIsNear) {
   const std::vector<std::string> schemes = {"MUSL", "USL", "TLMPM"};
-  EXPECT_EQ(did_you_mean("MULS", schemes), "");
-  EXPECT_EQ(did_you_mean("MUSLE", schemes), " (did you mean \"MUSL\"?)");
-  EXPECT_EQ(did_you_mean("tlmpm", schemes), " (did you mean \"TLMPM\"?)");
+  EXPECT_EQ(did_you_mean("MULS", schemes), "did you mean \"MUSL\"?");
+  EXPECT_EQ(did_you_mean("MXSX", schemes), "");
+  EXPECT_EQ(did_you_mean("MUSLE", schemes), "did you mean \"MUSL\"?");
+  EXPECT_EQ(did_you_mean("tlmpm", schemes), "did you mean \"TLMPM\"?");
   EXPECT_EQ(did_you_mean("leapfrog", schemes), "");
   EXPECT_EQ(did_you_mean("", schemes), "");
   EXPECT_EQ(did_you_mean(std::string(1'000'000, 'M'), schemes), "");
+}
+
+TEST(Names, ListsBeginWithWhatWasMeant) {
+  const std::vector<std::string> columns = {"momentum.x", "beam.stress.xx", "tip.velocity.y", "tip.position.y"};
+  EXPECT_EQ(nearest_first("tip.velocty.y", columns).front(), "tip.velocity.y");
+  EXPECT_EQ(nearest_first("stress", columns).front(), "beam.stress.xx");
+  EXPECT_EQ(nearest_first("", columns), columns);
+}
+
+TEST(Names, LongTextsAreCutBetweenCharacters) {
+  EXPECT_EQ(shortened(std::string(80, 'a')), std::string(80, 'a'));
+  EXPECT_EQ(shortened(std::string(79, 'a') + "\xc3\xa4"), std::string(79, 'a') + "...");
 }
 
 TEST(Names, NumbersAreTheShortestThatReadBack) {

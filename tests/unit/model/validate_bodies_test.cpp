@@ -41,8 +41,8 @@ TEST_P(BodyMistake, GivesItsOneViolation) { expect_violation(GetParam()); }
 
 const std::vector<Mistake> bodies = {
     {"GivenTwice", [](Scene& s) { s.bodies[1].name = "beam"; }, "bodies[1].name", "earlier"},
-    {"NameWithADot", [](Scene& s) { s.bodies[1].name = "the.ball"; }, "bodies[1].name", "is not a name"},
-    {"NoMaterial", [](Scene& s) { s.bodies[1].material = ""; }, "bodies[1].material", "names no material"},
+    {"NameWithADot", [](Scene& s) { s.bodies[1].name = "the.ball"; }, "bodies[1].name", "is not a valid name"},
+    {"NoMaterial", [](Scene& s) { s.bodies[1].material = ""; }, "bodies[1].material", "no material is named"},
     {"NoGeometry", [](Scene& s) { s.bodies[1].geometry = {}; }, "bodies[1].geometry", "no shape"},
     {"FlatBox",
      [](Scene& s) {
@@ -141,7 +141,7 @@ const std::vector<Mistake> loads = {
      [](Scene& s) {
        gravity(s).bodies = {"beam", "bal"};
      },
-     "loads[1].body_force.bodies[1]", "did you mean \"ball\"?"},
+     "loads[1].body_force.bodies[1]", "no body \"bal\"", "did you mean \"ball\"?"},
     {"BodyNamedTwice",
      [](Scene& s) {
        gravity(s).bodies = {"beam", "beam"};
@@ -153,7 +153,7 @@ const std::vector<Mistake> loads = {
      [](Scene& s) {
        push(s).position = {8.13, 0.5};
      },
-     "loads[2].point_force.position", "outside of body beam"},
+     "loads[2].point_force.position", "outside of body \"beam\""},
     {"PointThatIsNotANumber", [](Scene& s) { push(s).position.x = not_a_number; },
      "loads[2].point_force.position.x", "finite"},
     {"InfiniteForce", [](Scene& s) { push(s).force.x = infinity; }, "loads[2].point_force.force.x", "finite"},

@@ -26,8 +26,7 @@ TEST_P(OutputMistake, GivesItsOneViolation) { expect_violation(GetParam()); }
 const std::vector<Mistake> outputs = {
     {"NoSamples", [](Scene& s) { s.outputs.samples = 0; }, "outputs.samples", "out of range"},
     {"NegativeSnapshots", [](Scene& s) { s.outputs.snapshots = -1; }, "outputs.snapshots", "out of range"},
-    {"SnapshotsThatDoNotDivide", [](Scene& s) { s.outputs.snapshots = 30; }, "outputs.snapshots",
-     "does not divide"},
+    {"SnapshotsThatDoNotDivide", [](Scene& s) { s.outputs.snapshots = 30; }, "outputs.snapshots", "must divide"},
     {"UnknownSnapshotField", [](Scene& s) { s.outputs.snapshot_fields = {Field::unspecified}; },
      "outputs.snapshot_fields[0]", "not a field"},
     {"SnapshotFieldTwice",
@@ -64,11 +63,11 @@ const std::vector<Mistake> outputs = {
      },
      "outputs.probes[0].nearest.x", "finite"},
     {"ProbeOfAnUnknownBody", [](Scene& s) { s.outputs.probes[1].body = "beams"; }, "outputs.probes[1].body",
-     "did you mean \"beam\"?"},
+     "no body \"beams\"", "did you mean \"beam\"?"},
     {"ProbeNamedLikeTheEnergies", [](Scene& s) { s.outputs.probes[1].name = "energies"; },
      "outputs.probes[1].name", "other histories"},
     {"ProbeWithADot", [](Scene& s) { s.outputs.probes[1].name = "a.b"; }, "outputs.probes[1].name",
-     "is not a name"},
+     "is not a valid name"},
     {"ProbeFieldTwice",
      [](Scene& s) {
        s.outputs.probes[1].fields = {Field::stress, Field::stress};
@@ -79,12 +78,12 @@ const std::vector<Mistake> outputs = {
 const std::vector<Mistake> measures = {
     {"SameName", [](Scene& s) { s.measures[1].name = "deflection"; }, "measures[1].name", "earlier"},
     {"UnknownQuantity", [](Scene& s) { s.measures[0].quantity = "tip.displacement.yy"; }, "measures[0].quantity",
-     "did you mean \"tip.displacement.y\"?"},
-    {"NoKind", [](Scene& s) { s.measures[0].kind = {}; }, "measures[0]", "how to measure"},
+     "no history \"tip.displacement.yy\"", "did you mean \"tip.displacement.y\"?"},
+    {"NoKind", [](Scene& s) { s.measures[0].kind = {}; }, "measures[0]", "no way to measure"},
     {"NegativeFrom", [](Scene& s) { s.measures[0].from = -1; }, "measures[0].from", "not negative"},
     {"UntilAfterTheEnd", [](Scene& s) { s.measures[0].until = 11; }, "measures[0].until", "after the end"},
     {"NothingInBetween", [](Scene& s) { s.measures[0].from = 5.01, s.measures[0].until = 5.02; },
-     "measures[0].from", "0 samples"},
+     "measures[0].from", "no sample"},
     {"TooFewForASpectrum", [](Scene& s) { s.measures[1].from = 9.5; }, "measures[1].from", "11 samples"},
     {"FrequencyAboveHalfTheRate",
      [](Scene& s) {

@@ -37,8 +37,8 @@ TEST(Validate, SaysWhatWasGivenAndWhatWouldBeRight) {
   scene.bodies[0].material = "ruber";
   const Violation violation = violations_of(scene).at(0);
   EXPECT_EQ(violation.value, "ruber");
-  EXPECT_EQ(violation.problem, "there is no material of this name (did you mean \"rubber\"?)");
-  EXPECT_EQ(violation.remedy, "choose one of: rubber");
+  EXPECT_EQ(violation.problem, "there is no material \"ruber\"");
+  EXPECT_EQ(violation.remedy, "did you mean \"rubber\"? (materials: rubber)");
   EXPECT_THAT(InvalidScene({violation}).what(), HasSubstr("bodies[0].material"));
 }
 
@@ -54,7 +54,7 @@ TEST_P(OneMistake, GivesItsOneViolation) { expect_violation(GetParam()); }
 
 const std::vector<Mistake> head = {
     {"NoName", [](Scene& s) { s.name = ""; }, "name", "needs a name"},
-    {"LongName", [](Scene& s) { s.name = std::string(65, 'a'); }, "name", "is not a name"},
+    {"LongName", [](Scene& s) { s.name = std::string(65, 'a'); }, "name", "is not a valid name"},
     {"ConstantNamedLikeAVariable",
      [](Scene& s) {
        s.constants.push_back({"t", "1"});
@@ -116,12 +116,12 @@ const std::vector<Mistake> materials = {
      "earlier"},
     {"NoDensity", [](Scene& s) { s.materials[0].density = 0; }, "materials[0].density", "greater than 0"},
     {"NoLaw", [](Scene& s) { s.materials[0].law = ""; }, "materials[0]", "no constitutive law"},
-    {"UnknownLaw", [](Scene& s) { s.materials[0].law = "linear_elastik"; }, "materials[0]",
+    {"UnknownLaw", [](Scene& s) { s.materials[0].law = "linear_elastik"; }, "materials[0]", "no constitutive law",
      "did you mean \"linear_elastic\"?"},
     {"MissingParameter", [](Scene& s) { s.materials[0].parameters.erase("youngs_modulus"); },
      "materials[0].linear_elastic.youngs_modulus", "not given"},
     {"UnknownParameter", [](Scene& s) { s.materials[0].parameters["poisson_ratio"] = 0.3; },
-     "materials[0].linear_elastic.poisson_ratio", "did you mean \"poissons_ratio\"?"},
+     "materials[0].linear_elastic.poisson_ratio", "no parameter", "did you mean \"poissons_ratio\"?"},
     {"ParameterOutOfRange", [](Scene& s) { s.materials[0].parameters["youngs_modulus"] = -1; },
      "materials[0].linear_elastic.youngs_modulus", "out of range"},
     {"ParameterOnItsOpenBound", [](Scene& s) { s.materials[0].parameters["poissons_ratio"] = -1; },
@@ -136,9 +136,10 @@ const std::vector<Mistake> materials = {
 const std::vector<Mistake> numerics = {
     {"NoEnd", [](Scene& s) { s.analysis.end_time = 0; }, "analysis.end_time", "greater than 0"},
     {"NegativeDamping", [](Scene& s) { s.analysis.damping = -1; }, "analysis.damping", "not negative"},
-    {"UnknownScheme", [](Scene& s) { s.numerics.scheme = "tlmpn"; }, "numerics.scheme", "did you mean \"TLMPM\"?"},
+    {"UnknownScheme", [](Scene& s) { s.numerics.scheme = "tlmpn"; }, "numerics.scheme", "no scheme \"tlmpn\"",
+     "did you mean \"TLMPM\"?"},
     {"UnknownShapeFunctions", [](Scene& s) { s.numerics.shape_functions = "cubic"; }, "numerics.shape_functions",
-     "of this name"},
+     "no shape function \"cubic\"", "the shape functions are: linear"},
     {"TooMuchFlip", [](Scene& s) { s.numerics.flip_fraction = 1.01; }, "numerics.flip_fraction", "out of range"},
     {"NoFractionOfTheStep", [](Scene& s) { s.numerics.time_step_fraction = 0; }, "numerics.time_step_fraction",
      "out of range"},
