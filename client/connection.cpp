@@ -92,6 +92,11 @@ void require_ok(const grpc::Status& status, const grpc::ClientContext& context, 
   if (!status.ok()) throw CallError(status, details_of(context), address);
 }
 
+bool may_come_back(const grpc::Status& status) {
+  return status.error_code() == grpc::StatusCode::UNAVAILABLE ||
+         status.error_code() == grpc::StatusCode::CANCELLED;
+}
+
 Connection::Connection(std::string address) : address_(std::move(address)) {
   if (address_.empty()) address_ = default_address();
   grpc::ChannelArguments arguments;
@@ -116,8 +121,8 @@ void Connection::repeat(const std::function<grpc::Status(grpc::ClientContext&)>&
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() + call_deadline);
     const grpc::Status status = attempt(context);
-    const bool again = status.error_code() == grpc::StatusCode::UNAVAILABLE;
-    if (!again || std::chrono::steady_clock::now() > give_up) return require_ok(status, context, address_);
+    if (!may_come_back(status) || std::chrono::steady_clock::now() > give_up)
+      return require_ok(status, context, address_);
   }
 }
 

@@ -29,6 +29,9 @@ class CallError : public CommandError {
 /// Throws CallError unless the call succeeded.
 void require_ok(const grpc::Status& status, const grpc::ClientContext& context, const std::string& address);
 
+/// Whether the server may be back soon: it does not answer, or it ended the call because it shuts down.
+bool may_come_back(const grpc::Status& status);
+
 /// A connection to a server. Calls may come from several threads.
 class Connection {
  public:

@@ -86,7 +86,7 @@ bool read_once(Connection& connection, v1::ReadResultRequest request, PartialFil
     partial.restart();  // what was left here belongs to another file
     return false;
   }
-  if (status.error_code() == grpc::StatusCode::UNAVAILABLE && partial.size() > before) return false;
+  if (may_come_back(status) && partial.size() > before) return false;
   require_ok(status, context, connection.address());
   return true;
 }

@@ -36,9 +36,8 @@ void watch_once(Connection& connection, const std::string& job_id, InterruptWatc
   v1::WatchJobResponse response;
   while (reader->Read(&response)) take(response, followed, listener);
   const grpc::Status status = reader->Finish();
-  const bool may_come_back = status.error_code() == grpc::StatusCode::UNAVAILABLE &&
-                             std::chrono::steady_clock::now() - followed.last_heard < patience;
-  if (!may_come_back && !interrupt.interrupted()) require_ok(status, context, connection.address());
+  const bool again = may_come_back(status) && std::chrono::steady_clock::now() - followed.last_heard < patience;
+  if (!again && !interrupt.interrupted()) require_ok(status, context, connection.address());
 }
 
 }  // namespace

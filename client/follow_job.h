@@ -18,6 +18,14 @@ class JobListener {
   virtual void connection_lost() = 0;
 };
 
+/// Says nothing.
+class QuietListener : public JobListener {
+ public:
+  void job(const v1::Job&) override {}
+  void event(const v1::Event&) override {}
+  void connection_lost() override {}
+};
+
 bool has_ended(v1::JobState state);
 
 /// Follows a job to its end and returns it, over lost connections and restarts of the server, without

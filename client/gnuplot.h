@@ -1,12 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
-
-#include "trajan/v1/scene.pb.h"
 
 namespace trajan::client {
 
@@ -23,12 +19,5 @@ std::string_view line_colour(std::size_t number);
 /// Runs gnuplot on a script in a process of its own, without a shell. Throws CommandError if gnuplot is
 /// missing or refuses.
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder);
-
-/// Definitions of a scene's constants for gnuplot_expression; empty if one of them cannot be translated.
-std::optional<std::string> gnuplot_constants(const v1::Scene& scene);
-
-/// An expression of t and the scene's constants in gnuplot's words, as a function of x; nothing if it uses
-/// a word that is not known here. Only known words pass, so that a scene cannot make gnuplot do anything.
-std::optional<std::string> gnuplot_expression(std::string_view expression, const v1::Scene& scene);
 
 }  // namespace trajan::client

@@ -71,15 +71,8 @@ std::string curve_file(const fs::path& folder, std::size_t column) {
   return (folder / fmt::format("curve{}", column)).string();
 }
 
-/// The first thing that is exactly known of a column, as gnuplot's function of x; empty if there is none.
-std::string exact_function(const std::string& column, const PictureNotes& notes) {
-  for (const auto& curve : notes.curves) {
-    if (curve.column == column) return curve.expression;
-  }
-  for (const auto& exact : notes.values) {
-    if (exact.column == column) return fmt::format("(x >= {} ? {} : NaN)", exact.from, exact.value);
-  }
-  return {};
+std::string exact_file(const fs::path& folder, std::size_t number) {
+  return (folder / fmt::format("exact{}", number)).string();
 }
 
 /// `plot …` for one panel: the curves, then what is exact, dashed in black on top.
@@ -92,13 +85,15 @@ std::string plot_command(const Panel& panel, const History& history, const Pictu
                                 gnuplot_text(curve_file(folder, column)), line_colour(colour++),
                                 gnuplot_text(history.columns[column])));
   }
-  bool named = false;
-  for (const std::size_t column : panel.columns) {
-    const std::string exact = exact_function(history.columns[column], notes);
-    if (exact.empty()) continue;
-    items.push_back(fmt::format("{} with lines linewidth 1.2 linecolor '#000000' dashtype (10,8) {}", exact,
-                                named ? "notitle" : "title 'exact'"));
-    named = true;
+  static constexpr std::string_view dashes[] = {"(10,8)", "(3,6)", "(12,5,3,5)", "(20,6)"};
+  std::size_t dash = 0;
+  for (std::size_t i = 0; i < notes.exact.size(); ++i) {
+    const ExactHistory& exact = notes.exact[i];
+    if (std::ranges::none_of(panel.columns, [&](std::size_t c) { return history.columns[c] == exact.column; }))
+      continue;
+    items.push_back(fmt::format("{} using 1:2 with lines linewidth 1.2 linecolor '#000000' dashtype {} title {}",
+                                gnuplot_text(exact_file(folder, i)), dashes[dash++ % std::size(dashes)],
+                                gnuplot_text("exact " + exact.measure)));
   }
   return fmt::format("plot {}\n", fmt::join(items, ", \\\n     "));
 }
@@ -148,22 +143,8 @@ double highest_visible(const Spectrum& spectrum) {
 
 PictureNotes picture_notes(const v1::Job& job) {
   PictureNotes notes;
-  const v1::Scene& scene = job.scene();
-  notes.units = UnitLabels(scene.units());
-  const auto definitions = gnuplot_constants(scene);
-  notes.definitions = definitions.value_or("");
-  for (const v1::Measure& measure : scene.measures()) {
-    if (measure.has_deviation() && definitions) {
-      const auto expression = gnuplot_expression(measure.deviation().exact_history(), scene);
-      if (expression) notes.curves.push_back({measure.quantity(), *expression});
-    }
-    if (!measure.has_final() && !measure.has_mean() && !measure.has_extreme()) continue;
-    for (const v1::MeasureValue& value : job.measures()) {
-      if (value.name() == measure.name() && value.has_exact()) {
-        notes.values.push_back({measure.quantity(), value.exact(), measure.from()});
-      }
-    }
-  }
+  notes.units = UnitLabels(job.scene().units());
+  notes.exact = exact_histories(job);
   return notes;
 }
 
@@ -188,10 +169,13 @@ void draw_histories(const History& history, const PictureNotes& notes, const fs:
   for (std::size_t i = 0; i < history.columns.size(); ++i) {
     write_thinned(curve_file(folder.path(), i), history.time, history.values[i]);
   }
+  for (std::size_t i = 0; i < notes.exact.size(); ++i) {
+    write_curve(exact_file(folder.path(), i), notes.exact[i].time, notes.exact[i].value);
+  }
   const std::vector<Panel> panels = panels_of(history, notes);
   std::vector<std::string> commands;
   for (const Panel& panel : panels) commands.push_back(plot_command(panel, history, notes, folder.path()));
-  run_gnuplot(gnuplot_opening(picture, 1600, picture_height(panels.size())) + notes.definitions +
+  run_gnuplot(gnuplot_opening(picture, 1600, picture_height(panels.size())) +
                   fmt::format("set xrange [{}:{}]\n", history.time.front(), history.time.back()) +
                   panels_script(panels, with_unit("time", notes.units.time()), commands),
               folder.path());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "client/exact_histories.h"
 #include "client/history_stream.h"
 #include "client/unit_labels.h"
 
@@ -11,19 +12,8 @@ namespace trajan::client {
 
 /// What a picture says beside the histories themselves.
 struct PictureNotes {
-  struct ExactCurve {
-    std::string column;
-    std::string expression;  ///< gnuplot's, a function of x
-  };
-  struct ExactValue {
-    std::string column;
-    double value = 0;
-    double from = 0;  ///< drawn from this time on
-  };
   UnitLabels units{""};
-  std::string definitions;  ///< gnuplot's, for the expressions
-  std::vector<ExactCurve> curves;
-  std::vector<ExactValue> values;
+  std::vector<ExactHistory> exact;
 };
 
 /// What a job's scene and measures say about its histories. `job` has its scene.

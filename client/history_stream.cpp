@@ -49,8 +49,7 @@ bool stream_once(Connection& connection, const HistoryRequest& asked, InterruptW
   while (reader->Read(&response)) take(response, cursor, consumer);
   const grpc::Status status = reader->Finish();
   if (interrupt != nullptr && interrupt->interrupted()) return true;
-  if (status.error_code() == grpc::StatusCode::UNAVAILABLE &&
-      std::chrono::steady_clock::now() - cursor.last_heard < patience) {
+  if (may_come_back(status) && std::chrono::steady_clock::now() - cursor.last_heard < patience) {
     return false;
   }
   require_ok(status, context, connection.address());

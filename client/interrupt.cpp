@@ -38,7 +38,9 @@ void InterruptWatch::listen() {
     signalfd_siginfo signal;
     if (read(signals_, &signal, sizeof signal) != sizeof signal) continue;
     const std::lock_guard lock(mutex_);
-    if (interrupted_.exchange(true)) _exit(static_cast<int>(ExitCode::detached));
+    if (signalled_) _exit(static_cast<int>(ExitCode::detached));
+    signalled_ = true;
+    interrupted_ = true;
     if (reaction_) reaction_();
   }
 }

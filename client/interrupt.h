@@ -18,6 +18,9 @@ class InterruptWatch {
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
   bool interrupted() const { return interrupted_; }
+  /// What was to stop has stopped, and something is left to do: interrupted() is false from now on. The
+  /// next signal still ends the process at once.
+  void acknowledge() { interrupted_ = false; }
   /// What happens next time; called at once if it has happened already.
   void on_interrupt(std::function<void()> reaction);
 
@@ -27,6 +30,7 @@ class InterruptWatch {
   int signals_ = -1;
   int stop_ = -1;
   std::atomic<bool> interrupted_ = false;
+  bool signalled_ = false;  ///< ever
   std::mutex mutex_;
   std::function<void()> reaction_;
   std::thread thread_;

@@ -38,6 +38,25 @@ Cell labels_of(const v1::Job& job) {
   return text.empty() ? Cell() : Cell(text);
 }
 
+/// Where the run stands or where it stopped.
+std::string place_of(const v1::Job& job) {
+  const v1::Progress& progress = job.progress();
+  const double share = progress.end_time() > 0 ? 100 * progress.time() / progress.end_time() : 0;
+  std::string text = fmt::format("{:.0f} %, time {:.6g} of {:.6g}, step {} of {}", std::floor(share),
+                                 progress.time(), progress.end_time(), progress.step(), progress.total_steps());
+  if (job.state() != v1::RUNNING) return text;
+  if (progress.has_remaining()) {
+    text += fmt::format(", {} left", duration_for_people(static_cast<double>(progress.remaining().seconds())));
+  }
+  return text + fmt::format(", {} particles/s", count_for_people(progress.particle_steps_per_second()));
+}
+
+std::string result_of(const v1::ResultFile& result) {
+  return fmt::format("{} ({}{})", result.path().empty() ? result.name() : result.path(),
+                     bytes_for_people(static_cast<double>(result.size())),
+                     result.complete() ? "" : ", incomplete: the run ended early");
+}
+
 Cell verdict_of(const v1::MeasureValue& measure) {
   if (!measure.has_error() || !measure.has_tolerance()) return {};
   return std::string(std::abs(measure.error()) <= measure.tolerance() ? "ok" : "off");
@@ -58,6 +77,38 @@ Table job_table(std::span<const v1::Job* const> jobs) {
                           submitted ? Cell(*submitted) : Cell(), time_taken(*job), labels_of(*job)});
   }
   return table;
+}
+
+std::string failure_text(const v1::Failure& failure) {
+  std::string text = fmt::format("{}: {}", failure.reason(), failure.message());
+  if (failure.step() == 0) return text;
+  text += fmt::format(" (step {}, time {:.6g}", failure.step(), failure.time());
+  return text + (failure.particle() < 0 ? ")" : fmt::format(", particle {})", failure.particle()));
+}
+
+std::string describe_job(const v1::Job& job) {
+  std::string text;
+  const auto add = [&text](std::string_view name, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{:<10} {}\n", name, value);
+  };
+  const auto cell_text = [](const Cell& cell) {
+    const auto* value = std::get_if<std::string>(&cell);
+    return value == nullptr ? std::string() : *value;
+  };
+  add("job", job.job_id());
+  add("scene", job.scene_name());
+  add("state", state_name(job.state()) + (job.attempts() > 1 ? fmt::format(" (attempt {})", job.attempts()) : ""));
+  add("progress", job.has_progress() ? place_of(job) : "");
+  add("labels", cell_text(labels_of(job)));
+  add("priority", job.priority() == 0 ? "" : std::to_string(job.priority()));
+  add("submitted", time_text(job.submitted()).value_or(""));
+  add("started", time_text(job.started()).value_or(""));
+  add("ended", time_text(job.ended()).value_or(""));
+  add("took", cell_text(time_taken(job)));
+  add("failure", job.has_failure() ? failure_text(job.failure()) : "");
+  add("remedy", job.failure().remedy());
+  add("result", job.has_result() ? result_of(job.result()) : "");
+  return text;
 }
 
 Table measure_table(const v1::Job& job) {

@@ -12,6 +12,12 @@ namespace trajan::client {
 /// One row for each job: what `trajan ls` shows.
 Table job_table(std::span<const v1::Job* const> jobs);
 
+/// All about one job but its measures, a fact on each line: what `trajan show` begins with.
+std::string describe_job(const v1::Job& job);
+
+/// Why a job failed and, if it stopped in mid-run, where: "DIVERGED: ... (step 10, time 0.5, particle 3)".
+std::string failure_text(const v1::Failure& failure);
+
 /// One row for each measure: value, exact value, error, expected tolerance and verdict: "ok" within the
 /// tolerance, "off" outside, nothing if there is no tolerance.
 Table measure_table(const v1::Job& job);

@@ -17,7 +17,7 @@ ExitCode report_outcome(const v1::Job& job) {
     return ExitCode::success;
   }
   std::string message = fmt::format("job {} {}", job.job_id(), state_name(job.state()));
-  if (job.has_failure()) message += fmt::format(" ({}): {}", job.failure().reason(), job.failure().message());
+  if (job.has_failure()) message += ": " + failure_text(job.failure());
   say_error(message, job.failure().remedy());
   return ExitCode::job_failed;
 }

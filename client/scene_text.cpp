@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "client/parse_problem.h"
+#include "client/utf8.h"
 
 namespace trajan::client {
 namespace {
@@ -94,6 +95,10 @@ SceneText::SceneText(std::string source, SceneFormat format) {
                             fmt::format("at most {} are accepted", max_bytes)});
     return;
   }
+  if (!check_utf8()) {
+    has_structure_ = false;
+    return;
+  }
   if (const auto& error = outline_->structure_error()) {
     has_structure_ = false;
     add_diagnostic(error->offset, 1, error->message, {});
@@ -107,6 +112,26 @@ SceneText::SceneText(std::string source, SceneFormat format) {
   std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.position.line, a.position.column) < std::pair(b.position.line, b.position.column);
   });
+}
+
+bool SceneText::check_utf8() {
+  const std::size_t wrong = first_invalid_utf8(*source_);
+  if (wrong != std::string_view::npos) {
+    const auto byte = static_cast<unsigned char>((*source_)[wrong]);
+    add_diagnostic(wrong, 1, fmt::format("the byte 0x{:02X} is not valid UTF-8", byte),
+                   "save the scene as UTF-8; from Latin-1: iconv -f latin1 -t utf-8");
+    return false;
+  }
+  // Escapes such as \xe4 can make text that is not.
+  for (const SceneOutline::Token& token : outline_->tokens()) {
+    if (!token.string || token.text.find('\\') == std::string::npos) continue;
+    std::string meant;
+    google::protobuf::io::Tokenizer::ParseString(token.text, &meant);
+    if (first_invalid_utf8(meant) == std::string_view::npos) continue;
+    add_diagnostic(token.begin, token.end - token.begin, "the escapes in this text make bytes that are not UTF-8",
+                   "write the characters themselves, or \\u00e4 for the character U+00E4");
+  }
+  return diagnostics_.empty();
 }
 
 void SceneText::read_text() {
@@ -177,7 +202,9 @@ Diagnostic SceneText::locate(const v1::Violation& violation) const {
   diagnostic.path = violation.path();
   diagnostic.message =
       violation.path().empty() ? violation.problem() : violation.path() + ": " + violation.problem();
-  if (!violation.value().empty()) diagnostic.message += fmt::format(" (got {})", violation.value());
+  // A name that the problem quotes need not be said again.
+  const bool is_quoted = violation.problem().find('"' + violation.value() + '"') != std::string::npos;
+  if (!violation.value().empty() && !is_quoted) diagnostic.message += fmt::format(" (got {})", violation.value());
   diagnostic.hint = violation.remedy();
   const SceneOutline::Match match = outline_->find(violation.path());
   if (match.field == -1) return diagnostic;

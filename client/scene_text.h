@@ -36,7 +36,8 @@ class SceneText {
   const v1::Scene& scene() const { return scene_; }
   /// Mistakes of spelling and form, in the order of the text.
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
-  /// Whether the brackets match, so that a check of the parts that could be read makes sense.
+  /// Whether the text is UTF-8 and the brackets match, so that a check of the parts that could be read makes
+  /// sense.
   bool has_structure() const { return has_structure_; }
 
   /// The place of a violation that the server found: of the field's value, or of the nearest ancestor that
@@ -49,6 +50,7 @@ class SceneText {
   std::string_view line(int number) const { return outline_->line(number); }
 
  private:
+  bool check_utf8();
   void read_text();
   void read_json();
   bool leave_out(std::size_t offset, const std::string& problem, std::string& text);

@@ -32,17 +32,30 @@ UnitLabels::UnitLabels(std::string_view units) {
   mass_ = names[2];
 }
 
-std::string UnitLabels::of_column(std::string_view column) const {
-  if (length_.empty()) return {};
-  const bool si = length_ == "m" && time_ == "s" && mass_ == "kg";
-  if (contains(column, "stress")) {
-    if (si) return "Pa";
-    if (length_ == "mm" && time_ == "s" && mass_ == "t") return "MPa";
-    return fmt::format("{}/({} {}²)", mass_, length_, time_);
+const UnitLabels::Derived* UnitLabels::derived() const {
+  static constexpr Derived known[] = {{"m", "s", "kg", "Pa", "J", "N s"},
+                                      {"mm", "s", "t", "MPa", "mJ", "N s"},
+                                      {"mm", "ms", "g", "MPa", "mJ", "mN s"},
+                                      {"mm", "ms", "kg", "GPa", "J", "N s"},
+                                      {"m", "ms", "t", "GPa", "GJ", "MN s"}};
+  for (const Derived& units : known) {
+    if (units.length == length_ && units.time == time_ && units.mass == mass_) return &units;
   }
-  if (contains(column, "balance_error")) return {};
-  if (contains(column, "energies")) return si ? "J" : fmt::format("{} {}²/{}²", mass_, length_, time_);
-  if (contains(column, "momentum")) return si ? "N s" : fmt::format("{} {}/{}", mass_, length_, time_);
+  return nullptr;
+}
+
+std::string UnitLabels::of_column(std::string_view column) const {
+  if (length_.empty() || contains(column, "balance_error")) return {};
+  const Derived* named = derived();
+  if (contains(column, "stress")) {
+    return named != nullptr ? std::string(named->stress) : fmt::format("{}/({} {}²)", mass_, length_, time_);
+  }
+  if (contains(column, "energies")) {
+    return named != nullptr ? std::string(named->energy) : fmt::format("{} {}²/{}²", mass_, length_, time_);
+  }
+  if (contains(column, "momentum")) {
+    return named != nullptr ? std::string(named->momentum) : fmt::format("{} {}/{}", mass_, length_, time_);
+  }
   if (contains(column, "velocity")) return fmt::format("{}/{}", length_, time_);
   if (contains(column, "displacement") || contains(column, "position")) return length_;
   return {};

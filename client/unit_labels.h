@@ -18,6 +18,12 @@ class UnitLabels {
   std::string of_column(std::string_view column) const;
 
  private:
+  /// What people call the units that follow from some lists of base units.
+  struct Derived {
+    std::string_view length, time, mass, stress, energy, momentum;
+  };
+  const Derived* derived() const;
+
   std::string length_;
   std::string time_;
   std::string mass_;

@@ -92,21 +92,11 @@ struct Show {
 };
 
 void print_job(const v1::Job& job, OutputFormat output) {
-  const v1::Job* pointer = &job;
-  print_table(std::cout, job_table({&pointer, 1}), output);
-  if (output != OutputFormat::table) return;
-  if (job.attempts() > 1) std::cout << fmt::format("\nattempts: {}\n", job.attempts());
-  if (job.has_failure()) {
-    const v1::Failure& failure = job.failure();
-    std::cout << fmt::format("\n{}: {}\n", failure.reason(), failure.message());
-    if (!failure.remedy().empty()) std::cout << fmt::format("remedy: {}\n", failure.remedy());
+  if (output != OutputFormat::table) {
+    const v1::Job* pointer = &job;
+    return print_table(std::cout, job_table({&pointer, 1}), output);
   }
-  if (job.has_result()) {
-    std::cout << fmt::format("\nresult: {} ({}{})\n",
-                             job.result().path().empty() ? job.result().name() : job.result().path(),
-                             bytes_for_people(static_cast<double>(job.result().size())),
-                             job.result().complete() ? "" : ", not the whole run");
-  }
+  std::cout << describe_job(job);
   if (job.measures().empty()) return;
   std::cout << '\n';
   print_table(std::cout, measure_table(job), output);

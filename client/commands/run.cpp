@@ -29,18 +29,17 @@ struct Run {
   bool picture = true;
 };
 
-/// An interrupted run: on a private server the job cannot go on, elsewhere it does.
-ExitCode detach(Connection& connection, const std::string& job_id, bool is_private) {
-  if (!is_private) {
-    say(fmt::format("detached; the job goes on. Resume with: trajan watch {0}; trajan fetch {0}", job_id));
-    return ExitCode::detached;
-  }
+/// Stops a job that cannot go on without this process, and waits until it has ended.
+v1::Job stop(Connection& connection, const std::string& job_id, InterruptWatch& interrupt) {
+  say("stopping; what was recorded is kept. Ctrl-C again leaves at once");
+  interrupt.acknowledge();
   v1::CancelJobRequest request;
   request.set_job_id(job_id);
   request.set_reason("interrupted");
-  connection.call(&v1::Jobs::Stub::CancelJob, request);
-  say("stopped. To detach from jobs and come back, start a server: trajan serve");
-  return ExitCode::detached;
+  v1::Job job = connection.call(&v1::Jobs::Stub::CancelJob, request);
+  if (has_ended(job.state())) return job;
+  QuietListener listener;
+  return follow_job(connection, job_id, job.last_sequence(), interrupt, listener);
 }
 
 /// Histories as CSV and as a picture beside the result file. Returns their paths.
@@ -65,6 +64,34 @@ std::vector<std::string> write_histories(Connection& connection, const v1::Job& 
   return files;
 }
 
+/// The results in a folder on this machine. Returns their paths; none if nothing was recorded.
+std::vector<std::string> bring_back(Connection& connection, const v1::Job& job, const Run& asked,
+                                    InterruptWatch& interrupt) {
+  if (!job.has_result()) return {};
+  const fs::path folder = result_folder(job, asked.folder);
+  std::vector<std::string> files = fetch_results(connection, job, folder, &interrupt);
+  v1::GetJobRequest request;
+  request.set_job_id(job.job_id());
+  request.set_with_scene(true);
+  const v1::Job with_scene = connection.call(&v1::Jobs::Stub::GetJob, request);
+  for (std::string& file : write_histories(connection, with_scene, folder, asked.picture)) {
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+ExitCode report_stopped(const v1::Job& job, const std::vector<std::string>& files) {
+  if (files.empty()) {
+    say("stopped before anything was recorded");
+  } else {
+    say(fmt::format("stopped at time {:.6g} of {:.6g}: these results are incomplete", job.progress().time(),
+                    job.progress().end_time()));
+  }
+  for (const std::string& file : files) std::cout << file << '\n';
+  say("to detach from jobs and come back, start a server: trajan serve");
+  return ExitCode::detached;
+}
+
 ExitCode run(const GlobalOptions& global, const Run& asked) {
   InterruptWatch interrupt;
   const LoadedScene scene = load_scene(asked.scene);
@@ -78,19 +105,13 @@ ExitCode run(const GlobalOptions& global, const Run& asked) {
     ProgressDisplay display(is_terminal());
     job = follow_job(connection, job_id, 0, interrupt, display);
   }
-  if (!has_ended(job.state())) return detach(connection, job_id, server.is_private());
-  std::vector<std::string> files;
-  if (job.has_result()) {
-    const fs::path folder = result_folder(job, asked.folder);
-    files = fetch_results(connection, job, folder, &interrupt);
-    v1::GetJobRequest request;
-    request.set_job_id(job_id);
-    request.set_with_scene(true);
-    const v1::Job with_scene = connection.call(&v1::Jobs::Stub::GetJob, request);
-    for (std::string& file : write_histories(connection, with_scene, folder, asked.picture)) {
-      files.push_back(std::move(file));
-    }
+  if (!has_ended(job.state()) && !server.is_private()) {
+    say(fmt::format("detached; the job goes on. Resume with: trajan watch {0}; trajan fetch {0}", job_id));
+    return ExitCode::detached;
   }
+  if (!has_ended(job.state())) job = stop(connection, job_id, interrupt);
+  const std::vector<std::string> files = bring_back(connection, job, asked, interrupt);
+  if (job.state() == v1::CANCELLED && server.is_private()) return report_stopped(job, files);
   const ExitCode code = report_outcome(job);
   if (!files.empty() && !job.measures().empty()) std::cout << '\n';
   for (const std::string& file : files) std::cout << file << '\n';

@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -58,14 +59,26 @@ def trajan(environment, tmp_path):
 
 
 @pytest.fixture
-def server(environment):
-    """A server at the default place, found by the client without being told."""
-    process = subprocess.Popen([TRAJAN, "serve", "--workers", "1", "--log-level", "warning"], env=environment,
-                               stdout=subprocess.PIPE, text=True)
-    assert "listening" in process.stdout.readline()
-    yield process
-    process.terminate()
-    process.wait(PATIENCE)
+def start_server(environment):
+    """Starts a server at the default place, found by the client without being told; the last one is ended."""
+    processes = []
+
+    def start():
+        process = subprocess.Popen([TRAJAN, "serve", "--workers", "1", "--log-level", "warning"], env=environment,
+                                   stdout=subprocess.PIPE, text=True)
+        processes.append(process)
+        assert "listening" in process.stdout.readline()
+        return process
+
+    yield start
+    for process in processes:
+        process.terminate()
+        process.wait(PATIENCE)
+
+
+@pytest.fixture
+def server(start_server):
+    return start_server()
 
 
 def submit(trajan, end_time=1.0):
@@ -88,6 +101,8 @@ def test_check_shows_ten_mistakes_at_once_with_their_places(trajan, tmp_path):
     expected = {"1:1", "2:21", "2:85", "3:36", "3:97", "4:32", "4:88", "4:94", "5:22", "6:64"}
     assert {place.removeprefix("bad.textproto:") for place in places} == expected
     assert 'did you mean "name"?' in done.stderr
+    assert 'error: bodies[0].material: there is no material "stel"\n' in done.stderr
+    assert 'hint: did you mean "steel"? (materials: steel)\n' in done.stderr
     assert 'did you mean "DISPLACEMENT"?' in done.stderr
 
 
@@ -113,6 +128,71 @@ def test_watch_detaches_on_an_interrupt_and_resumes(trajan, server, environment)
     assert f"trajan watch {job}" in said
     trajan("cancel", job)
     assert "cancelled" in trajan("watch", job, expect=1).stderr
+
+
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGTERM])
+def test_followers_survive_a_restart_of_the_server(trajan, start_server, environment, end):
+    server = start_server()
+    job = submit(trajan, end_time=2000)
+    watcher = subprocess.Popen([TRAJAN, "watch", job, "-o", "jsonl"], env=environment, stdout=subprocess.PIPE, text=True)
+    follower = subprocess.Popen([TRAJAN, "history", job, "tip", "--follow", "-o", "jsonl"], env=environment,
+                                stdout=subprocess.PIPE, text=True)
+    told = [watcher.stdout.readline()]
+    rows = [follower.stdout.readline() for _ in range(10)]  # in mid-stream
+    server.send_signal(end)
+    server.wait(PATIENCE)
+    start_server()
+    told += watcher.stdout.read().splitlines()
+    rows += follower.stdout.read().splitlines()
+    assert watcher.wait(PATIENCE) == follower.wait(PATIENCE) == 0
+    told = [json.loads(line) for line in told]
+    sequence = [int(line["event"]["sequence"]) for line in told if "event" in line]
+    assert sequence == list(range(1, len(sequence) + 1))
+    assert told[-1]["job"]["state"] == "SUCCEEDED"
+    assert int(told[-1]["job"]["last_sequence"]) == len(sequence)
+    assert [json.loads(row)["row"] for row in rows] == list(range(101))
+
+
+def test_an_interrupted_run_brings_back_what_was_recorded(environment, tmp_path):
+    run = subprocess.Popen([TRAJAN, "run", "-", "-O", "out", "--no-picture"], env=environment, cwd=tmp_path, text=True,
+                           stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    run.stdin.write(SCENE % 20000)
+    run.stdin.close()
+    run.stdin = None
+    while not re.search("[1-9]0 %", run.stderr.readline()):  # at least the first tenth is done
+        pass
+    run.send_signal(signal.SIGINT)
+    files, said = run.communicate(timeout=PATIENCE)
+    assert run.returncode == 130, said
+    assert "incomplete" in said
+    assert {pathlib.Path(line).name for line in files.splitlines()} >= {"result.vtkhdf", "history.csv"}
+    with open(tmp_path / "out" / "history.csv") as table:
+        assert 10 <= len(list(csv.reader(table))) - 1 < 101
+
+
+def test_a_second_interrupt_leaves_at_once(environment, tmp_path):
+    run = subprocess.Popen([TRAJAN, "run", "-", "-O", "out"], env=environment, cwd=tmp_path, text=True,
+                           stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+    run.stdin.write(SCENE % 20000)
+    run.stdin.close()
+    while "running" not in run.stderr.readline():
+        pass
+    children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
+    for child in children:
+        os.kill(int(child), signal.SIGSTOP)  # the private server cannot stop the job
+    run.send_signal(signal.SIGINT)
+    while "stopping" not in run.stderr.readline():
+        pass
+    run.send_signal(signal.SIGINT)
+    assert run.wait(PATIENCE) == 130
+    for child in children:
+        os.kill(int(child), signal.SIGCONT)
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_scene_in_latin_1_is_refused_with_its_place(trajan, tmp_path):
+    (tmp_path / "latin.textproto").write_bytes((SCENE % 1).replace("bar", "Tr\u00e4ger").encode("latin-1"))
+    assert "latin.textproto:2:10: error: the byte 0xE4 is not valid UTF-8" in trajan("check", "latin.textproto", expect=2).stderr
 
 
 def test_follow_prints_every_row_once(trajan, server):

@@ -18,7 +18,7 @@ OWNERS = {
     r"^server/": ("server/", "tests/"),
     r"^client/": ("client/", "tests/"),
     r"^solver/": ("solver/", "server/", "tests/"),
-    r"^muParser": ("solver/model/expression.cpp",),
+    r"^muParser": ("solver/model/expression.cpp", "client/exact_histories.cpp"),
 }
 
 # What the solver's folders must not know of each other. Validation alone may ask which schemes there are

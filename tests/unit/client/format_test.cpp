@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numbers>
 #include <sstream>
 
+#include "client/exact_histories.h"
 #include "client/gnuplot.h"
 #include "client/job_table.h"
 #include "client/progress_display.h"
@@ -68,6 +71,33 @@ TEST(MeasureTable, JudgesTheErrorByTheTolerance) {
   EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[2].back()));
 }
 
+TEST(DescribeJob, SaysWhyARunFailedAndWhatToDo) {
+  v1::Job job;
+  job.set_job_id("j");
+  job.set_scene_name("beam");
+  job.set_state(v1::FAILED);
+  job.mutable_progress()->set_time(0.5);
+  job.mutable_progress()->set_end_time(2);
+  job.mutable_progress()->set_step(10);
+  job.mutable_progress()->set_total_steps(40);
+  job.mutable_failure()->set_reason("DIVERGED");
+  job.mutable_failure()->set_message("the energy grows");
+  job.mutable_failure()->set_step(10);
+  job.mutable_failure()->set_time(0.5);
+  job.mutable_failure()->set_particle(7);
+  job.mutable_failure()->set_remedy("take smaller steps");
+  job.mutable_result()->set_name("result.vtkhdf");
+  job.mutable_result()->set_size(2048);
+  EXPECT_EQ(describe_job(job),
+            "job        j\n"
+            "scene      beam\n"
+            "state      failed\n"
+            "progress   25 %, time 0.5 of 2, step 10 of 40\n"
+            "failure    DIVERGED: the energy grows (step 10, time 0.5, particle 7)\n"
+            "remedy     take smaller steps\n"
+            "result     result.vtkhdf (2.0 KiB, incomplete: the run ended early)\n");
+}
+
 TEST(ProgressLine, FitsTheTerminal) {
   v1::Progress progress;
   progress.set_time(0.5);
@@ -85,19 +115,63 @@ TEST(ProgressLine, FitsTheTerminal) {
 
 TEST(Gnuplot, TextCannotEndItsQuotes) { EXPECT_EQ(gnuplot_text("it's\n'`x`"), "'it''s ''`x`'"); }
 
-TEST(Gnuplot, ExpressionsDivideWholeNumbersAsNumbers) {
-  v1::Scene scene;
+/// A job of one measure of `tip.x` over 4 units of time, with the constant E = 1/2.
+v1::Job measured_job() {
+  v1::Job job;
+  v1::Scene& scene = *job.mutable_scene();
+  scene.mutable_analysis()->set_end_time(4);
   v1::Constant& constant = *scene.add_constants();
   constant.set_name("E");
   constant.set_value("1/2");
-  EXPECT_EQ(gnuplot_expression("E*t^2 + 1/4 - 1e-3", scene), "constant_E*x**2.0 + 1.0/4.0 - 1e-3");
-  EXPECT_EQ(gnuplot_constants(scene), "constant_E = 1.0/2.0\n");
+  v1::Measure& measure = *scene.add_measures();
+  measure.set_name("first");
+  measure.set_quantity("tip.x");
+  return job;
 }
 
-TEST(Gnuplot, ExpressionsCannotRunCommands) {
-  EXPECT_EQ(gnuplot_expression("system(1)", v1::Scene()), std::nullopt);
-  EXPECT_EQ(gnuplot_expression("1; print 2", v1::Scene()), std::nullopt);
-  EXPECT_EQ(gnuplot_expression("`date`", v1::Scene()), std::nullopt);
+TEST(ExactHistories, AreTheFormulasOfDeviations) {
+  v1::Job job = measured_job();
+  job.mutable_scene()->mutable_measures(0)->mutable_deviation()->set_exact_history(
+      "t < 2 ? E*t^2 : max(1, t, pi)");
+  const std::vector<ExactHistory> exact = exact_histories(job);
+  ASSERT_EQ(exact.size(), 1u);
+  EXPECT_EQ(exact[0].column, "tip.x");
+  const auto at = [&](double time) {
+    const auto point = std::ranges::lower_bound(exact[0].time, time);
+    return exact[0].value.at(static_cast<std::size_t>(point - exact[0].time.begin()));
+  };
+  EXPECT_EQ(at(1), 0.5);
+  EXPECT_EQ(at(2), std::numbers::pi);
+  EXPECT_EQ(at(4), 4);
+}
+
+TEST(ExactHistories, LeaveOutFormulasThatCannotBeRead) {
+  v1::Job job = measured_job();
+  job.mutable_scene()->mutable_measures(0)->mutable_deviation()->set_exact_history("2 * unknown");
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(exact_histories(job).empty());
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("\"first\" is left out"), std::string::npos);
+}
+
+TEST(ExactHistories, HaveEachValueOfAColumnOnce) {
+  v1::Job job = measured_job();
+  job.mutable_scene()->mutable_measures(0)->mutable_final();
+  *job.mutable_scene()->add_measures() = job.scene().measures(0);
+  *job.mutable_scene()->add_measures() = job.scene().measures(0);
+  const char* names[] = {"first", "same", "other"};
+  const double values[] = {7, 7, 8};
+  for (int i = 0; i < 3; ++i) {
+    job.mutable_scene()->mutable_measures(i)->set_name(names[i]);
+    v1::MeasureValue& value = *job.add_measures();
+    value.set_name(names[i]);
+    value.set_exact(values[i]);
+  }
+  const std::vector<ExactHistory> exact = exact_histories(job);
+  ASSERT_EQ(exact.size(), 2u);
+  EXPECT_EQ(exact[0].measure, "first");
+  EXPECT_EQ(exact[1].measure, "other");
+  EXPECT_EQ(exact[1].time, (std::vector<double>{0, 4}));
+  EXPECT_EQ(exact[1].value, (std::vector<double>{8, 8}));
 }
 
 TEST(UnitLabels, NameDerivedUnits) {
@@ -105,6 +179,8 @@ TEST(UnitLabels, NameDerivedUnits) {
   EXPECT_EQ(si.of_column("tip.velocity.y"), "m/s");
   EXPECT_EQ(si.of_column("tip.stress.xx"), "Pa");
   EXPECT_EQ(si.of_column("energies.balance_error"), "");
+  EXPECT_EQ(UnitLabels("m, ms, t").of_column("stress.xx"), "GPa");
+  EXPECT_EQ(UnitLabels("cm, s, g").of_column("energies.kinetic"), "g cm²/s²");
   EXPECT_EQ(UnitLabels("any consistent units").of_column("tip.velocity.y"), "");
 }
 

@@ -5,6 +5,7 @@
 
 #include "client/diagnostics.h"
 #include "client/suggestion.h"
+#include "client/utf8.h"
 
 namespace trajan::client {
 namespace {
@@ -110,6 +111,37 @@ TEST(SceneText, RefusesDeepNesting) {
   EXPECT_THAT(SceneText(deep, SceneFormat::json).diagnostics(), SizeIs(1));
 }
 
+TEST(SceneText, PointsAtTheByteThatIsNotUtf8) {
+  const SceneText text("name: \"a\"\n# Tr\xe4ger\nbodies { }\n", SceneFormat::text);
+  EXPECT_THAT(text.diagnostics(), ElementsAre(Mistake(2, 5, "0xE4 is not valid UTF-8", "iconv")));
+  EXPECT_FALSE(text.has_structure());
+  EXPECT_EQ(format_diagnostic(text.diagnostics().at(0), text, "a", false),
+            "a:2:5: error: the byte 0xE4 is not valid UTF-8\n"
+            "    2 | # Tr?ger\n"
+            "      |     ^\n"
+            "      = hint: save the scene as UTF-8; from Latin-1: iconv -f latin1 -t utf-8\n");
+}
+
+TEST(SceneText, AcceptsUtf8AndRefusesEscapesThatMakeSomethingElse) {
+  EXPECT_THAT(SceneText("name: \"Tr\xc3\xa4ger \\303\\244 \\u00e4\"", SceneFormat::text).diagnostics(), IsEmpty());
+  EXPECT_THAT(SceneText("{\"name\": \"\\u00e4 \\ud83d\\ude00\"}", SceneFormat::json).diagnostics(), IsEmpty());
+  EXPECT_THAT(SceneText("name: \"\\xe4\"", SceneFormat::text).diagnostics(),
+              ElementsAre(Mistake(1, 7, "not UTF-8", "\\u00e4")));
+}
+
+TEST(Utf8, IsWhatTheStandardSays) {
+  for (const char* good : {"", "a", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xef\xbf\xbf",
+                           "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) {
+    EXPECT_EQ(first_invalid_utf8(good), std::string_view::npos);
+  }
+  // A stray continuation, overlong forms, surrogates, beyond U+10FFFF, and characters that are cut off.
+  for (const char* bad :
+       {"\x80", "\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80",
+        "\xf5\x80\x80\x80", "\xff", "\xc3", "\xe4\xbd", "\xf0\x9f\x98", "\xc3z"}) {
+    EXPECT_EQ(first_invalid_utf8(std::string("ab") + bad), 2u);
+  }
+}
+
 TEST(SceneText, RefusesWhatIsTooLarge) {
   const SceneText text(std::string(SceneText::max_bytes + 1, ' '), SceneFormat::text);
   EXPECT_THAT(text.diagnostics(), ElementsAre(Mistake(0, 0, "bytes", "at most")));
@@ -126,6 +158,15 @@ TEST(SceneText, SurvivesVeryLongWords) {
 TEST(SceneText, LocatesTheValueOfAViolation) {
   const SceneText text("bodies { }\nbodies {\n  geometry { disc { radius: -1 } }\n}\n", SceneFormat::text);
   EXPECT_EQ(text.locate(violation("bodies[1].geometry.disc.radius")).position, (Position{3, 29}));
+}
+
+TEST(SceneText, SaysTheValueOfAViolationOnce) {
+  const SceneText text("bodies { }", SceneFormat::text);
+  v1::Violation wrong = violation("bodies[0].material", "there is no material \"stel\"");
+  wrong.set_value("stel");
+  EXPECT_EQ(text.locate(wrong).message, "bodies[0].material: there is no material \"stel\"");
+  wrong.set_problem("out of range");
+  EXPECT_EQ(text.locate(wrong).message, "bodies[0].material: out of range (got stel)");
 }
 
 TEST(SceneText, LocatesElementsOfLists) {
