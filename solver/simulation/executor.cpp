@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/diverged.h"
@@ -34,9 +33,10 @@ unsigned gathered(Pass pass, double flip) {
 
 /// A chain of passes, resolved to stages for every body.
 struct Executor::Chain {
+  std::vector<Pass> passes;
   unsigned mask = 0;            ///< node quantities that are gathered
   int first_sum = 0, sums = 0;  ///< sums that are scattered
-  std::vector<std::vector<Stage>> stages;
+  std::vector<Stage> stages;    ///< of one body after the other
 };
 
 Executor::Executor(const Model& model, int threads)
@@ -62,6 +62,8 @@ Executor::Executor(const Model& model, int threads)
     collected_.push_back(std::make_unique<NodeSums>());
   }
 }
+
+Executor::~Executor() = default;
 
 void Executor::sort() {
   sort_into_tiles(model_.grid, bodies_, tiles_, sweep_.sums);
@@ -89,14 +91,16 @@ void Executor::for_each_tile(Of&& of) {
 void Executor::particles(std::initializer_list<Pass> passes) {
   for (Pass pass : passes) {
     if (pass == Pass::gather_motion) loads_.advect(tiles_, bodies_, node_mapped_velocity_x, times_.drift);
-    chain_.push_back(pass);
+    noted_.push_back(pass);
   }
 }
 
 void Executor::finish() {
-  if (chain_.empty()) return;
-  const std::vector<Pass> chain = std::exchange(chain_, {});
-  run(chain);
+  if (noted_.empty()) return;
+  // Whatever happens, these are done with: the chain has its own copy of them.
+  const std::span<const Pass> passes = chain_of(noted_).passes;
+  noted_.clear();
+  run(passes);
 }
 
 Stage Executor::stage_of(Pass pass, const BodyParticles& body) const {
@@ -128,17 +132,24 @@ Stage Executor::stage_of(Pass pass, const BodyParticles& body) const {
   return nullptr;
 }
 
-void Executor::run(const std::vector<Pass>& passes) {
-  Chain chain;
+const Executor::Chain& Executor::chain_of(std::span<const Pass> passes) {
+  for (const auto& known : chains_)
+    if (std::ranges::equal(known->passes, passes)) return *known;
+  auto chain = std::make_unique<Chain>();
+  chain->passes.assign(passes.begin(), passes.end());
   for (Pass pass : passes) {
-    chain.mask |= gathered(pass, sweep_.flip);
-    if (pass == Pass::scatter_state) chain.sums = sweep_.sums;
-    if (pass == Pass::scatter_momentum) chain.first_sum = sum_momentum_x, chain.sums = 2;
+    chain->mask |= gathered(pass, sweep_.flip);
+    if (pass == Pass::scatter_state) chain->sums = sweep_.sums;
+    if (pass == Pass::scatter_momentum) chain->first_sum = sum_momentum_x, chain->sums = 2;
   }
-  for (const BodyParticles& body : bodies_) {
-    chain.stages.emplace_back();
-    for (Pass pass : passes) chain.stages.back().push_back(stage_of(pass, body));
-  }
+  for (const BodyParticles& body : bodies_)
+    for (Pass pass : passes) chain->stages.push_back(stage_of(pass, body));
+  chains_.push_back(std::move(chain));
+  return *chains_.back();
+}
+
+void Executor::run(std::span<const Pass> passes) {
+  const Chain& chain = chain_of(passes);
   for (auto& scratch : scratch_) scratch->trouble = {};
   for_each_tile([&](std::size_t tile, std::size_t thread) { run_tile(tile, chain, *scratch_[thread]); });
   Trouble trouble;
@@ -153,7 +164,7 @@ void Executor::run(const std::vector<Pass>& passes) {
   // What has been scattered from clamped places is worthless; the particles themselves are right.
   sort();
   const auto last = std::find(passes.rbegin(), passes.rend(), Pass::locate);
-  run({last.base() - 1, passes.end()});
+  run(passes.subspan(static_cast<std::size_t>(last.base() - 1 - passes.begin())));
 }
 
 void Executor::run_tile(std::size_t index, const Chain& chain, Scratch& scratch) {
@@ -167,7 +178,8 @@ void Executor::run_tile(std::size_t index, const Chain& chain, Scratch& scratch)
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
     Block block = make_block(tile, tiles_.blocks()[b], scratch);
     block.sums = tiles_.sums(index);
-    for (Stage stage : chain.stages[tiles_.blocks()[b].body]) stage(block);
+    const Stage* stages = chain.stages.data() + tiles_.blocks()[b].body * chain.passes.size();
+    for (std::size_t i = 0; i < chain.passes.size(); ++i) stages[i](block);
   }
 }
 

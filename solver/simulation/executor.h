@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "solver/boundaries/node_conditions.h"
@@ -45,6 +46,7 @@ struct StepTimes {
 class Executor {
  public:
   Executor(const Model& model, int threads);
+  ~Executor();
 
   /// \name What schemes are written with. All throw Diverged.
   /// @{
@@ -86,7 +88,9 @@ class Executor {
 
  private:
   struct Chain;
-  void run(const std::vector<Pass>& chain);
+  void run(std::span<const Pass> passes);
+  /// The chain of these passes, resolved when it is first asked for.
+  const Chain& chain_of(std::span<const Pass> passes);
   void run_tile(std::size_t tile, const Chain& chain, Scratch& scratch);
   Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
   Stage stage_of(Pass pass, const BodyParticles& body) const;
@@ -104,7 +108,8 @@ class Executor {
   Loads loads_;
   SweepConstants sweep_;
   StepTimes times_;
-  std::vector<Pass> chain_;
+  std::vector<Pass> noted_;  ///< passes over particles that are still to be run
+  std::vector<std::unique_ptr<const Chain>> chains_;
   std::vector<std::unique_ptr<Scratch>> scratch_;     ///< by thread
   std::vector<std::unique_ptr<NodeSums>> collected_;  ///< by thread
   std::vector<std::size_t> shares_;
