@@ -48,6 +48,17 @@ TEST(Validate, EmptySceneNamesWhatIsRequired) {
                                    "bodies", "analysis.end_time"));
 }
 
+TEST(Validate, AllowsAsManyCellsAsTheirIndicesCanCount) {
+  Scene scene = sample_scene();
+  scene.domain.cell_size = 0.25;
+  // 2^30 cells from -1 on, or one more.
+  scene.domain.upper.x = scene.domain.lower.x + 0.25 * 0x1p30;
+  EXPECT_THAT(paths_of(scene), testing::IsEmpty());
+  scene.domain.upper.x += 0.25;
+  EXPECT_THAT(paths_of(scene), testing::ElementsAre("domain.cell_size"));
+  EXPECT_THAT(violations_of(scene).at(0).remedy, HasSubstr("2^30 cells"));
+}
+
 class OneMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(OneMistake, GivesItsOneViolation) { expect_violation(GetParam()); }
