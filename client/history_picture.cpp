@@ -85,15 +85,17 @@ std::string plot_command(const Panel& panel, const History& history, const Pictu
                                 gnuplot_text(curve_file(folder, column)), line_colour(colour++),
                                 gnuplot_text(history.columns[column])));
   }
+  const auto shown = [&](const ExactHistory& exact) {
+    return std::ranges::any_of(panel.columns, [&](std::size_t c) { return history.columns[c] == exact.column; });
+  };
+  const bool several = std::ranges::count_if(notes.exact, shown) > 1;
   static constexpr std::string_view dashes[] = {"(10,8)", "(3,6)", "(12,5,3,5)", "(20,6)"};
   std::size_t dash = 0;
   for (std::size_t i = 0; i < notes.exact.size(); ++i) {
-    const ExactHistory& exact = notes.exact[i];
-    if (std::ranges::none_of(panel.columns, [&](std::size_t c) { return history.columns[c] == exact.column; }))
-      continue;
+    if (!shown(notes.exact[i])) continue;
     items.push_back(fmt::format("{} using 1:2 with lines linewidth 1.2 linecolor '#000000' dashtype {} title {}",
                                 gnuplot_text(exact_file(folder, i)), dashes[dash++ % std::size(dashes)],
-                                gnuplot_text("exact " + exact.measure)));
+                                gnuplot_text(several ? "exact " + notes.exact[i].measure : "exact")));
   }
   return fmt::format("plot {}\n", fmt::join(items, ", \\\n     "));
 }

@@ -1,5 +1,6 @@
 """The command line against real servers: what a person does, with cuts and interrupts."""
 
+import contextlib
 import csv
 import hashlib
 import io
@@ -170,23 +171,31 @@ def test_an_interrupted_run_brings_back_what_was_recorded(environment, tmp_path)
         assert 10 <= len(list(csv.reader(table))) - 1 < 101
 
 
+def children_of(process):
+    """Of any of its threads."""
+    tasks = pathlib.Path(f"/proc/{process}/task").glob("*/children")
+    return [int(child) for task in tasks for child in task.read_text().split()]
+
+
 def test_a_second_interrupt_leaves_at_once(environment, tmp_path):
-    run = subprocess.Popen([TRAJAN, "run", "-", "-O", "out"], env=environment, cwd=tmp_path, text=True,
+    run = subprocess.Popen([TRAJAN, "run", "-", "-O", "out"], env=dict(environment, TMPDIR=tmp_path), cwd=tmp_path, text=True,
                            stdin=subprocess.PIPE, stderr=subprocess.PIPE)
     run.stdin.write(SCENE % 20000)
     run.stdin.close()
     while "running" not in run.stderr.readline():
         pass
-    children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
-    for child in children:
-        os.kill(int(child), signal.SIGSTOP)  # the private server cannot stop the job
+    (server,) = children_of(run.pid)
+    workers = children_of(server)
+    os.kill(server, signal.SIGSTOP)  # it cannot stop the job
     run.send_signal(signal.SIGINT)
     while "stopping" not in run.stderr.readline():
         pass
     run.send_signal(signal.SIGINT)
     assert run.wait(PATIENCE) == 130
-    for child in children:
-        os.kill(int(child), signal.SIGCONT)
+    for process in [server, *workers]:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(process, signal.SIGTERM)
+            os.kill(process, signal.SIGCONT)
     assert not (tmp_path / "out").exists()
 
 
