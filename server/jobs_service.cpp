@@ -3,6 +3,7 @@
 #include "server/convert.h"
 #include "server/history_stream.h"
 #include "server/log.h"
+#include "server/refused_stream.h"
 #include "server/result_stream.h"
 #include "server/status.h"
 #include "server/store_jobs.h"
