@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "client/scene_text.h"
@@ -23,13 +24,20 @@ class SilentCollector : public google::protobuf::io::ErrorCollector {
   void AddError(int, int, const std::string&) override {}
 };
 
+/// What is sent goes over the wire, which lets only valid UTF-8 pass.
+bool passes_the_wire(const google::protobuf::Message& message) {
+  const std::unique_ptr<google::protobuf::Message> copy(message.New());
+  return copy->ParseFromString(message.SerializeAsString());
+}
+
 /// The reading that says only yes or no, to judge the one that explains.
 bool is_readable(const std::string& text) {
   SilentCollector errors;
   google::protobuf::TextFormat::Parser parser;
   parser.RecordErrorsTo(&errors);
-  v1::Scene scene;
-  return parser.ParseFromString(text, &scene);
+  v1::Scene scene, whole;
+  whole.set_description(text);
+  return parser.ParseFromString(text, &scene) && passes_the_wire(scene) && passes_the_wire(whole);
 }
 
 void check_diagnostic(const client::Diagnostic& diagnostic, std::size_t lines) {
@@ -43,12 +51,6 @@ void check_reading(const client::SceneText& read, const std::string& text) {
           "mistakes are reported where there are none, or hidden");
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
   for (const client::Diagnostic& diagnostic : read.diagnostics()) check_diagnostic(diagnostic, lines);
-}
-
-/// A scene that reaches the server has been through the wire, which lets only valid UTF-8 pass.
-bool passes_the_wire(const google::protobuf::Message& message) {
-  const std::unique_ptr<google::protobuf::Message> copy(message.New());
-  return copy->ParseFromString(message.SerializeAsString());
 }
 
 void check_violation(const v1::Scene& scene, const Violation& violation) {
