@@ -15,12 +15,13 @@ class SharedReader {
  public:
   explicit SharedReader(std::filesystem::path directory) : directory_(std::move(directory)) {}
 
-  /// Opens the file unless it is open. `attempt` is the job's present one: the file of an earlier one
-  /// was repaired meanwhile and is opened again. Throws as HistoryReader::open.
-  results::HistoryReader& get(int attempt) {
-    if (attempt != attempt_) close();
+  /// Opens the file unless it is open. A file is repaired by every attempt at its job and replaced when the
+  /// job ends: whoever had it open before does not see what came after. Throws as HistoryReader::open.
+  results::HistoryReader& get(int attempt, bool ended) {
+    if (attempt != attempt_ || ended != ended_) close();
     if (!reader_) reader_ = results::HistoryReader::open(directory_);
     attempt_ = attempt;
+    ended_ = ended;
     return *reader_;
   }
   void close() { reader_.reset(); }
@@ -29,6 +30,7 @@ class SharedReader {
   const std::filesystem::path directory_;
   std::unique_ptr<results::HistoryReader> reader_;
   int attempt_ = 0;
+  bool ended_ = false;
 };
 
 /// The open files by directory; each is closed with the last stream that uses it. One thread.

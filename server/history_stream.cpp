@@ -56,7 +56,7 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
                          "job " + now.job_id() + " has no history" + (ended ? "" : " yet"));
     }
     const bool first = selected_.empty();
-    if (!read(response, now.attempts(), ended)) return Next::wait;
+    if (!read(response, now, ended)) return Next::wait;
     if (first || response.time_size() > 0) return Next::write;
     return request_.follow() && !ended ? Next::wait : Next::finish;
   }
@@ -68,22 +68,24 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
 
   /// Fills in the next rows, and the columns if this is the first message. False if the file cannot be
   /// read now: it is just being created, or repaired after a worker was lost.
-  bool read(v1::StreamHistoryResponse& response, int attempt, bool ended) {
+  bool read(v1::StreamHistoryResponse& response, const v1::Job& now, bool ended) {
     if (!reader_) reader_ = readers_.share(directory_);
     try {
-      results::HistoryReader& reader = reader_->get(attempt);
+      results::HistoryReader& reader = reader_->get(now.attempts(), ended);
       if (selected_.empty()) {
         selected_ = select_columns(reader.columns(), request_.columns());
         for (const std::size_t index : selected_) response.add_columns(reader.columns()[index]);
       }
       read_rows(reader, response);
+      // Opened after the attempt began but before it repaired the file: open it again next time.
+      if (time_.empty() && row_ < now.progress().rows()) reader_->close();
       return true;
     } catch (const ServiceError&) {
       throw;
     } catch (const std::runtime_error&) {
       reader_->close();
       if (ended && ++failures_ > 1) throw;
-      if (ended) return read(response, attempt, ended);
+      if (ended) return read(response, now, ended);
       return false;
     }
   }
