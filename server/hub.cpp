@@ -1,7 +1,6 @@
 #include "server/hub.h"
 
 #include <algorithm>
-#include <ranges>
 #include <vector>
 
 namespace trajan {
@@ -37,7 +36,7 @@ void Hub::wake_all() {
   std::vector<std::shared_ptr<Listener>> woken;
   {
     const std::lock_guard lock(mutex_);
-    std::ranges::copy(std::views::values(listeners_), std::back_inserter(woken));
+    for (const auto& [job, listener] : listeners_) woken.push_back(listener);
   }
   for (const auto& listener : woken) listener->wake();
 }
@@ -47,7 +46,7 @@ void Hub::end_all() {
   {
     const std::lock_guard lock(mutex_);
     ended_ = true;
-    std::ranges::copy(std::views::values(listeners_), std::back_inserter(ended));
+    for (const auto& [job, listener] : listeners_) ended.push_back(listener);
   }
   for (const auto& listener : ended) listener->end();
 }
