@@ -10,12 +10,14 @@ namespace trajan {
 struct Vector {
   double x = 0;
   double y = 0;
+  double z = 0;
 };
 
 /// Empty: not given.
 struct VectorExpression {
-  std::optional<std::string> x;
-  std::optional<std::string> y;
+  std::optional<std::string> x = {};
+  std::optional<std::string> y = {};
+  std::optional<std::string> z = {};
 };
 
 struct Box {

@@ -22,7 +22,7 @@ struct Constant {
   std::string value;
 };
 
-enum class Dimension { unspecified, plane_stress, plane_strain };
+enum class Dimension { unspecified, bar, plane_stress, plane_strain, axisymmetric, solid };
 
 struct Domain {
   Dimension dimension = Dimension::unspecified;
@@ -49,7 +49,7 @@ struct BodyDefinition {
   VectorExpression initial_velocity;
 };
 
-enum class Axis { unspecified, x, y };
+enum class Axis { unspecified, x, y, z };
 
 struct Fixed {
   std::vector<Axis> axes;

@@ -7,10 +7,15 @@
 namespace trajan {
 namespace {
 
-constexpr std::string_view names[] = {"position.x",     "position.y",     "velocity.x",    "velocity.y",
-                                      "displacement.x", "displacement.y", "volume",        "stress.xx",
-                                      "stress.yy",      "stress.xy",      "stress.zz",     "deformation.xx",
-                                      "deformation.xy", "deformation.yx", "deformation.yy"};
+constexpr std::string_view names[] = {
+    "position.x",     "position.y",     "position.z",     "velocity.x",     "velocity.y",     "velocity.z",
+    "displacement.x", "displacement.y", "displacement.z", "volume",         "stress.xx",      "stress.yy",
+    "stress.zz",      "stress.xy",      "stress.yz",      "stress.xz",      "deformation.xx", "deformation.xy",
+    "deformation.xz", "deformation.yx", "deformation.yy", "deformation.yz", "deformation.zx", "deformation.zy",
+    "deformation.zz", "affine.xx",      "affine.xy",      "affine.xz",      "affine.yx",      "affine.yy",
+    "affine.yz",      "affine.zx",      "affine.zy",      "affine.zz",      "history.0",      "history.1",
+    "history.2",      "history.3",      "history.4",      "history.5",      "history.6",      "history.7",
+    "load.x",         "load.y",         "load.z"};
 static_assert(std::size(names) == attribute_count);
 
 const LawKernels& law_of(const Model& model, const Body& body) {
