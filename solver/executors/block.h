@@ -76,6 +76,7 @@ struct Trouble {
   std::int64_t left_domain = 0;
   std::int64_t moved_too_far = 0;
   std::int64_t inverted = 0;
+  std::int64_t unsolved = 0;  ///< no stretch was found that frees the rest of its stress
 };
 
 /// Working memory of one thread.
@@ -84,8 +85,10 @@ struct alignas(64) Scratch {
   BlockArray fx, fy;                                              ///< place in the cell, 0 <= f < 1
   BlockArray acceleration[2];
   BlockArray velocity[2];
-  BlockArray gradient[4];  ///< of velocity: xx, xy, yx, yy; d v_x / d y is xy
-  BlockArray force[4];     ///< volume times stress over cell size: xx, xy, yx, yy
+  BlockArray gradient[9];    ///< of velocity, row by row of the grid's axes; in a plane d v_x / d y is [1]
+  BlockArray gradient_rest;  ///< axisymmetric: radial velocity over radius
+  BlockArray force[9];       ///< volume times stress over cell size, row by row of the grid's axes
+  BlockArray virial_rest;    ///< axisymmetric: volume times hoop stress
   Window window;
   Trouble trouble;
 };

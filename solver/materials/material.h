@@ -16,6 +16,14 @@ struct Parameter {
   double highest;  ///< open bound: the value must be less
 };
 
+/// One of the numbers that a law remembers at a particle.
+struct HistoryVariable {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+  double initial;
+};
+
 /// What the rest of the solver knows of a constitutive law without knowing its formulas.
 /// Values of parameters are always passed in the order of `parameters`.
 struct MaterialKind {

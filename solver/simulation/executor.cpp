@@ -158,6 +158,7 @@ void Executor::run(std::span<const Pass> passes) {
     trouble.left_domain += scratch->trouble.left_domain;
     trouble.moved_too_far += scratch->trouble.moved_too_far;
     trouble.inverted += scratch->trouble.inverted;
+    trouble.unsolved += scratch->trouble.unsolved;
   }
   check(trouble);
   if (trouble.left_window == 0) return;
