@@ -6,7 +6,7 @@
 namespace trajan {
 namespace {
 
-/// Regions catch nodes to this many cell sizes, as scene.proto says.
+/// Regions catch nodes to this many cell sizes, as boundaries.proto says.
 constexpr double tolerance = 1e-9;
 
 bool contains(const NodeRegion& region, const Grid& grid, std::int64_t i, std::int64_t j) {

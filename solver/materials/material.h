@@ -9,7 +9,7 @@ namespace trajan {
 
 /// One row of a law's own parameter table. Validation, error messages and documentation read it.
 struct Parameter {
-  std::string_view name;  ///< as in scene.proto
+  std::string_view name;  ///< as in materials.proto
   std::string_view unit;  ///< "stress", "1", …
   std::string_view meaning;
   double lowest;   ///< open bound: the value must be greater
@@ -27,7 +27,7 @@ struct HistoryVariable {
 /// What the rest of the solver knows of a constitutive law without knowing its formulas.
 /// Values of parameters are always passed in the order of `parameters`.
 struct MaterialKind {
-  std::string_view name;  ///< as in scene.proto, for example "linear_elastic"
+  std::string_view name;  ///< as in materials.proto, for example "linear_elastic"
   std::string_view source;
   std::span<const Parameter> parameters;
   /// Speed of the fastest wave at rest (consistent units) for a mass density at rest.

@@ -7,7 +7,7 @@
 
 namespace trajan {
 
-/// A dimensionless factor that depends on time (scene.proto, TimeFunction).
+/// A dimensionless factor that depends on time (loads.proto, TimeFunction).
 class TimeFunction {
  public:
   using Kind = std::variant<double, Ramp, Sine, Table, Expression>;

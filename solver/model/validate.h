@@ -10,7 +10,7 @@ namespace trajan {
 
 /// One thing that is wrong with a scene.
 struct Violation {
-  std::string path;     ///< field path as in scene.proto, "bodies[0].geometry.disc.radius"
+  std::string path;     ///< field path as in the schema, "bodies[0].geometry.disc.radius"
   std::string value;    ///< what was given, as text; empty if nothing was
   std::string problem;  ///< what is wrong
   std::string remedy;   ///< what would be right

@@ -12,9 +12,9 @@
 #include "solver/scene/outputs.h"
 
 /// A scene as it was asked for: plain values, not yet checked. Field for field the message
-/// `trajan.v1.Scene` (proto/trajan/v1/scene.proto), whose comments give meaning, units, ranges and
-/// defaults. Defaults are applied here, so that a value-initialised field is what a user gets who
-/// leaves it out. Only `validate` (model/validate.h) reads it.
+/// `trajan.v1.Scene` (proto/trajan/v1/scene.proto and the files that it imports), whose comments give
+/// meaning, units, ranges and defaults. Defaults are applied here, so that a value-initialised field is
+/// what a user gets who leaves it out. Only `validate` (model/validate.h) reads it.
 namespace trajan {
 
 struct Constant {

@@ -1,0 +1,50 @@
+#include "server/convert_parts.h"
+
+namespace trajan {
+namespace {
+
+Dimension to_dimension(v1::Domain::Dimension value) {
+  switch (value) {
+    case v1::Domain::PLANE_STRESS:
+      return Dimension::plane_stress;
+    case v1::Domain::PLANE_STRAIN:
+      return Dimension::plane_strain;
+    default:
+      return Dimension::unspecified;
+  }
+}
+
+}  // namespace
+
+Vector to_vector(const v1::Vector& message) { return {message.x(), message.y()}; }
+
+VectorExpression to_vector_expression(const v1::VectorExpression& message) {
+  VectorExpression expression;
+  if (message.has_x()) expression.x = message.x();
+  if (message.has_y()) expression.y = message.y();
+  return expression;
+}
+
+Region to_region(const v1::Region& message) {
+  switch (message.shape_case()) {
+    case v1::Region::kBox:
+      return Box{to_vector(message.box().lower()), to_vector(message.box().upper())};
+    case v1::Region::kDisc:
+      return Disc{to_vector(message.disc().centre()), message.disc().radius()};
+    case v1::Region::SHAPE_NOT_SET:
+      break;
+  }
+  return {};
+}
+
+Domain to_domain(const v1::Domain& message) {
+  Domain domain;
+  domain.dimension = to_dimension(message.dimension());
+  domain.lower = to_vector(message.lower());
+  domain.upper = to_vector(message.upper());
+  domain.cell_size = message.cell_size();
+  if (message.has_thickness()) domain.thickness = message.thickness();
+  return domain;
+}
+
+}  // namespace trajan

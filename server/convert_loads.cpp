@@ -1,0 +1,74 @@
+#include "server/convert_parts.h"
+
+namespace trajan {
+namespace {
+
+TimeFunctionDefinition to_time_function(const v1::TimeFunction& message) {
+  switch (message.kind_case()) {
+    case v1::TimeFunction::kConstant:
+      return message.constant();
+    case v1::TimeFunction::kRamp:
+      return Ramp{message.ramp().start(), message.ramp().duration(), message.ramp().smooth()};
+    case v1::TimeFunction::kSine:
+      return Sine{message.sine().frequency(), message.sine().phase()};
+    case v1::TimeFunction::kTable:
+      return Table{{message.table().times().begin(), message.table().times().end()},
+                   {message.table().values().begin(), message.table().values().end()}};
+    case v1::TimeFunction::kExpression:
+      return message.expression();
+    case v1::TimeFunction::KIND_NOT_SET:
+      break;
+  }
+  return LoadDefinition{}.time;
+}
+
+Edge to_edge(v1::EdgeTraction::Edge value) {
+  switch (value) {
+    case v1::EdgeTraction::LEFT:
+      return Edge::left;
+    case v1::EdgeTraction::RIGHT:
+      return Edge::right;
+    case v1::EdgeTraction::BOTTOM:
+      return Edge::bottom;
+    case v1::EdgeTraction::TOP:
+      return Edge::top;
+    default:
+      return Edge::unspecified;
+  }
+}
+
+PointForce to_point_force(const v1::PointForce& message) {
+  return {message.body(), to_vector(message.position()), to_vector(message.force())};
+}
+
+EdgeTraction to_edge_traction(const v1::EdgeTraction& message) {
+  return {message.body(), to_edge(message.edge()), to_vector(message.traction()), message.profile()};
+}
+
+BodyForce to_body_force(const v1::BodyForce& message) {
+  return {to_vector(message.acceleration()), {message.bodies().begin(), message.bodies().end()}};
+}
+
+}  // namespace
+
+LoadDefinition to_load(const v1::Load& message) {
+  LoadDefinition load;
+  load.name = message.name();
+  load.time = to_time_function(message.time());
+  switch (message.kind_case()) {
+    case v1::Load::kPointForce:
+      load.kind = to_point_force(message.point_force());
+      break;
+    case v1::Load::kEdgeTraction:
+      load.kind = to_edge_traction(message.edge_traction());
+      break;
+    case v1::Load::kBodyForce:
+      load.kind = to_body_force(message.body_force());
+      break;
+    case v1::Load::KIND_NOT_SET:
+      break;
+  }
+  return load;
+}
+
+}  // namespace trajan
