@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -14,6 +16,16 @@ struct Parameter {
   std::string_view meaning;
   double lowest;   ///< open bound: the value must be greater
   double highest;  ///< open bound: the value must be less
+  /// What it is if it is not given; not a number: it must be given.
+  double otherwise = std::numeric_limits<double>::quiet_NaN();
+  bool lowest_allowed = false;  ///< the lowest value itself is in range
+  bool highest_allowed = false;
+
+  bool optional() const { return !std::isnan(otherwise); }
+  bool allows(double value) const {
+    return std::isfinite(value) && (value > lowest || (lowest_allowed && value == lowest)) &&
+           (value < highest || (highest_allowed && value == highest));
+  }
 };
 
 /// One of the numbers that a law remembers at a particle.

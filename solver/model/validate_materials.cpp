@@ -16,10 +16,12 @@ std::vector<std::string> law_names() {
 
 std::string range_text(const Parameter& parameter) {
   std::string text;
-  if (std::isfinite(parameter.lowest)) text += "greater than " + number_text(parameter.lowest);
   // A bound against overflow alone is none that people need to know.
+  if (parameter.lowest > -1e300)
+    text += (parameter.lowest_allowed ? "at least " : "greater than ") + number_text(parameter.lowest);
   if (parameter.highest < 1e300) {
-    text += (text.empty() ? "" : " and ") + std::string("less than ") + number_text(parameter.highest);
+    text += (text.empty() ? "" : " and ") + std::string(parameter.highest_allowed ? "at most " : "less than ") +
+            number_text(parameter.highest);
   }
   return text.empty() ? "finite" : text;
 }
@@ -55,6 +57,10 @@ void Validator::check_law(const std::string& path, const MaterialDefinition& def
   for (const Parameter& parameter : material.kind->parameters) {
     known.emplace_back(parameter.name);
     const auto given = definition.parameters.find(known.back());
+    if (given == definition.parameters.end() && parameter.optional()) {
+      material.parameters.push_back(parameter.otherwise);
+      continue;
+    }
     if (given == definition.parameters.end()) {
       complete =
           violations_.add(law_path + "." + known.back(), "", "not given (" + std::string(parameter.meaning) + ")",
@@ -79,7 +85,7 @@ void Validator::check_law(const std::string& path, const MaterialDefinition& def
 }
 
 bool Validator::check_parameter(const std::string& path, const Parameter& parameter, double value) {
-  if (std::isfinite(value) && value > parameter.lowest && value < parameter.highest) return true;
+  if (parameter.allows(value)) return true;
   return violations_.add(path, number_text(value), "out of range for " + std::string(parameter.meaning),
                          "give a number " + range_text(parameter));
 }

@@ -36,6 +36,18 @@ TEST(LawSchema, ParameterTablesAndMessagesHaveTheSameNames) {
   }
 }
 
+TEST(LawSchema, AParameterThatMayBeLeftOutIsAFieldThatKnowsWhetherItWasGiven) {
+  for (int i = 0; i < laws().field_count(); ++i) {
+    const FieldDescriptor& law = *laws().field(i);
+    for (const Parameter& parameter : find_material_kind(law.name())->parameters) {
+      const FieldDescriptor* field = law.message_type()->FindFieldByName(std::string(parameter.name));
+      ASSERT_NE(field, nullptr) << parameter.name;
+      EXPECT_EQ(field->has_presence(), parameter.optional()) << field->full_name();
+      EXPECT_TRUE(!parameter.optional() || parameter.allows(parameter.otherwise)) << field->full_name();
+    }
+  }
+}
+
 TEST(LawSchema, EveryParameterIsANumberThatTranslationUnderstands) {
   for (int i = 0; i < laws().field_count(); ++i) {
     const google::protobuf::Descriptor& law = *laws().field(i)->message_type();
