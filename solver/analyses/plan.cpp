@@ -18,10 +18,11 @@ ModelPlan plan(const Model& model) {
   plan.time_step = interval / in_interval;
   plan.steps = static_cast<std::int64_t>(in_interval) * model.outputs.samples;
 
-  const double cell_area = model.grid.cell * model.grid.cell;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
-    const double per_cell = cell_area / (body.lattice.spacing.x * body.lattice.spacing.y);
+    const double spacing[] = {body.lattice.spacing.x, body.lattice.spacing.y, body.lattice.spacing.z};
+    double per_cell = 1;
+    for (int axis = 0; axis < grid_axes(model.dimension); ++axis) per_cell *= model.grid.cell / spacing[axis];
     plan.active_cells += static_cast<std::int64_t>(std::ceil(static_cast<double>(body.particles) / per_cell));
     std::int64_t bytes = sizeof(std::uint32_t);
     for (const AttributeNeed& need : attributes_needed(model, b)) {
@@ -35,9 +36,12 @@ ModelPlan plan(const Model& model) {
   }
   plan.attributes.push_back({"number", sizeof(std::uint32_t), "outputs"});
   // Nodes and windows of the tiles in which the material is.
+  const int axes = grid_axes(model.dimension);
+  const Layout& layout = kernels().transfer(model.numerics.shape_functions, model.dimension)->layout;
   const std::int64_t tiles = plan.active_cells / tile_nodes + 1;
-  plan.memory_bytes += tiles * static_cast<std::int64_t>(
-                                   (node_value_count * tile_nodes + sum_count * window_nodes) * sizeof(double));
+  plan.memory_bytes += tiles * static_cast<std::int64_t>((quantities(node_vectors, axes) * tile_nodes +
+                                                          quantities(sum_vectors, axes) * layout.window_nodes) *
+                                                         sizeof(double));
   return plan;
 }
 

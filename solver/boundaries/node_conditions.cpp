@@ -1,6 +1,7 @@
 #include "solver/boundaries/node_conditions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace trajan {
@@ -9,17 +10,29 @@ namespace {
 /// Regions catch nodes to this many cell sizes, as boundaries.proto says.
 constexpr double tolerance = 1e-9;
 
-bool contains(const NodeRegion& region, const Grid& grid, std::int64_t i, std::int64_t j) {
-  if (i < region.i0 || i > region.i1 || j < region.j0 || j > region.j1) return false;
+using NodeIndex = std::array<std::int64_t, 3>;
+
+bool contains(const NodeRegion& region, const Grid& grid, const NodeIndex& node) {
+  const NodeIndex lowest{region.i0, region.j0, region.k0}, highest{region.i1, region.j1, region.k1};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (node[axis] < lowest[axis] || node[axis] > highest[axis]) return false;
   if (!region.disc) return true;
-  const double x = grid.origin.x + grid.cell * static_cast<double>(i) - region.disc->centre.x;
-  const double y = grid.origin.y + grid.cell * static_cast<double>(j) - region.disc->centre.y;
+  const double x = grid.origin.x + grid.cell * static_cast<double>(node[0]) - region.disc->centre.x;
+  const double y = grid.origin.y + grid.cell * static_cast<double>(node[1]) - region.disc->centre.y;
   return std::hypot(x, y) <= region.disc->radius + tolerance * grid.cell;
 }
 
-bool may_touch(const NodeRegion& region, const Tile& tile) {
-  const std::int64_t i = std::int64_t{tile.x} * tile_side, j = std::int64_t{tile.y} * tile_side;
-  return i <= region.i1 && i + tile_side > region.i0 && j <= region.j1 && j + tile_side > region.j0;
+bool may_touch(const NodeRegion& region, const Layout& layout, const Tile& tile) {
+  const NodeIndex lowest{region.i0, region.j0, region.k0}, highest{region.i1, region.j1, region.k1};
+  for (int axis = 0; axis < layout.dimensions; ++axis) {
+    const std::int64_t first = std::int64_t{tile.at[axis]} * layout.side;
+    if (first > highest[axis] || first + layout.side <= lowest[axis]) return false;
+  }
+  return true;
+}
+
+const std::optional<Expression>& velocity(const NodeCondition& condition, int axis) {
+  return axis == 0 ? condition.velocity_x : axis == 1 ? condition.velocity_y : condition.velocity_z;
 }
 
 bool is_zero(const std::optional<Expression>& velocity) {
@@ -29,24 +42,31 @@ bool is_zero(const std::optional<Expression>& velocity) {
 }  // namespace
 
 NodeConditions::NodeConditions(const Model& model)
-    : model_(model), conditions_(model.conditions), velocities_(2 * model.conditions.size()) {
-  for (const NodeCondition& c : conditions_) work_ = work_ || !is_zero(c.velocity_x) || !is_zero(c.velocity_y);
+    : model_(model),
+      axes_(grid_axes(model.dimension)),
+      conditions_(model.conditions),
+      velocities_(3 * model.conditions.size()) {
+  for (const NodeCondition& c : conditions_)
+    work_ = work_ || !is_zero(c.velocity_x) || !is_zero(c.velocity_y) || !is_zero(c.velocity_z);
 }
 
 void NodeConditions::bind(const Tiles& tiles) {
+  const Layout& layout = tiles.layout();
   entries_.clear();
   first_.assign(1, 0);
   for (const Tile& tile : tiles.tiles()) {
     for (int node = 0; node < tile_nodes; ++node) {
-      const std::int64_t i = std::int64_t{tile.x} * tile_side + node % tile_side;
-      const std::int64_t j = std::int64_t{tile.y} * tile_side + node / tile_side;
-      int last[2] = {-1, -1};  // later conditions win
+      NodeIndex at{};
+      for (int axis = 0; axis < layout.dimensions; ++axis)
+        at[axis] = std::int64_t{tile.at[axis]} * layout.side + node / layout.tile_stride(axis) % layout.side;
+      int last[3] = {-1, -1, -1};  // later conditions win
       for (std::size_t c = 0; c < conditions_.size(); ++c) {
-        if (!may_touch(conditions_[c].nodes, tile) || !contains(conditions_[c].nodes, model_.grid, i, j)) continue;
-        if (conditions_[c].velocity_x) last[0] = static_cast<int>(c);
-        if (conditions_[c].velocity_y) last[1] = static_cast<int>(c);
+        if (!may_touch(conditions_[c].nodes, layout, tile) || !contains(conditions_[c].nodes, model_.grid, at))
+          continue;
+        for (int axis = 0; axis < layout.dimensions; ++axis)
+          if (velocity(conditions_[c], axis)) last[axis] = static_cast<int>(c);
       }
-      for (int axis = 0; axis < 2; ++axis)
+      for (int axis = 0; axis < layout.dimensions; ++axis)
         if (last[axis] >= 0)
           entries_.push_back({static_cast<std::uint16_t>(last[axis]), static_cast<std::uint8_t>(axis),
                               static_cast<std::uint8_t>(node)});
@@ -56,24 +76,23 @@ void NodeConditions::bind(const Tiles& tiles) {
 }
 
 void NodeConditions::evaluate(double before, double after, double kick) {
-  const auto set = [&](const std::optional<Expression>& expression, Velocity& velocity) {
-    if (!expression) return;
-    velocity.after = (*expression)(0, 0, after);
-    velocity.acceleration = (velocity.after - (*expression)(0, 0, before)) / kick;
-  };
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    set(conditions_[c].velocity_x, velocities_[2 * c]);
-    set(conditions_[c].velocity_y, velocities_[2 * c + 1]);
-  }
+  for (std::size_t c = 0; c < conditions_.size(); ++c)
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::optional<Expression>& expression = velocity(conditions_[c], axis);
+      if (!expression) continue;
+      Velocity& v = velocities_[3 * c + static_cast<std::size_t>(axis)];
+      v.after = (*expression)(0, 0, after);
+      v.acceleration = (v.after - (*expression)(0, 0, before)) / kick;
+    }
 }
 
 double NodeConditions::prescribe(std::size_t tile, double* nodes, double kick) const {
   double work = 0;
   for (const Entry& entry : entries_of(tile)) {
-    const Velocity& v = velocities_[2 * entry.condition + entry.axis];
-    double& a = nodes[(node_acceleration_x + entry.axis) * tile_nodes + entry.node];
-    double& u = nodes[(node_velocity_x + entry.axis) * tile_nodes + entry.node];
-    const double reaction = nodes[node_mass * tile_nodes + entry.node] * (v.acceleration - a);
+    const Velocity& v = velocities_[3 * entry.condition + entry.axis];
+    double& a = nodes[quantity(node_acceleration, entry.axis, axes_) * tile_nodes + entry.node];
+    double& u = nodes[quantity(node_velocity, entry.axis, axes_) * tile_nodes + entry.node];
+    const double reaction = nodes[quantity_mass * tile_nodes + entry.node] * (v.acceleration - a);
     work += kick * reaction * (v.after - 0.5 * kick * v.acceleration);
     a = v.acceleration;
     u = v.after;
@@ -83,8 +102,8 @@ double NodeConditions::prescribe(std::size_t tile, double* nodes, double kick) c
 
 void NodeConditions::prescribe_mapped(std::size_t tile, double* nodes) const {
   for (const Entry& entry : entries_of(tile))
-    nodes[(node_mapped_velocity_x + entry.axis) * tile_nodes + entry.node] =
-        velocities_[2 * entry.condition + entry.axis].after;
+    nodes[quantity(node_mapped_velocity, entry.axis, axes_) * tile_nodes + entry.node] =
+        velocities_[3 * entry.condition + entry.axis].after;
 }
 
 }  // namespace trajan

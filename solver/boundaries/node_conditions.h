@@ -42,6 +42,7 @@ class NodeConditions {
   }
 
   const Model& model_;
+  int axes_;  ///< of the grid
   std::vector<NodeCondition> conditions_;
   std::vector<Velocity> velocities_;  ///< by condition and axis
   std::vector<Entry> entries_;

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "solver/executors/tile.h"
+#include "solver/executors/layout.h"
 
 namespace trajan {
 
@@ -51,7 +51,8 @@ enum class Attribute : std::uint8_t {
   history_5,
   history_6,
   history_7,
-  load_x,  ///< acceleration by loads that differ from particle to particle
+  reference_volume,  ///< only where a body's particles differ in it: axisymmetric, per radian
+  load_x,            ///< acceleration by loads that differ from particle to particle
   load_y,
   load_z,
   count
@@ -81,37 +82,42 @@ struct Trouble {
 
 /// Working memory of one thread.
 struct alignas(64) Scratch {
-  alignas(64) std::int64_t cell[block_size + 2 * block_padding];  ///< index of the cell's lower left node
-  BlockArray fx, fy;                                              ///< place in the cell, 0 <= f < 1
-  BlockArray acceleration[2];
-  BlockArray velocity[2];
-  BlockArray gradient[9];    ///< of velocity, row by row of the grid's axes; in a plane d v_x / d y is [1]
-  BlockArray gradient_rest;  ///< axisymmetric: radial velocity over radius
-  BlockArray force[9];       ///< volume times stress over cell size, row by row of the grid's axes
-  BlockArray virial_rest;    ///< axisymmetric: volume times hoop stress
-  Window window;
+  alignas(64) std::int64_t cell[block_size + 2 * block_padding];  ///< index of the stencil's first node
+  BlockArray place[3];      ///< distance from the stencil's first node, in cells
+  BlockArray weight[3][4];  ///< shape functions along each axis, of consecutive nodes
+  BlockArray slope[3][4];   ///< their derivatives, per cell
+  BlockArray acceleration[3];
+  BlockArray velocity[3];
+  BlockArray gradient[9];      ///< of velocity, row by row: d v_x / d y is the second
+  BlockArray gradient_rest;    ///< axisymmetric: hoop strain rate, radial velocity over radius
+  BlockArray force[9];         ///< volume times stress over cell size, row by row
+  BlockArray virial_rest;      ///< axisymmetric: volume times hoop stress
+  BlockArray load[3];          ///< acceleration by loads
+  double* window = nullptr;    ///< what the nodes around hold, one array of window_nodes per quantity
+  double* stencils = nullptr;  ///< weights that are no products, if the shape functions need them
   Trouble trouble;
 };
 
 /// What all particles of a body share.
 struct BodyConstants {
-  double mass = 0;              ///< of one particle
-  double reference_volume = 0;  ///< of one particle, thickness included
-  double acceleration_x = 0;    ///< by body loads at the present time
-  double acceleration_y = 0;
-  const void* law = nullptr;  ///< the body's law object
+  double density = 0;
+  double mass = 0;              ///< of one particle; not of axisymmetric ones
+  double reference_volume = 0;  ///< of one particle, thickness included; axisymmetric: area
+  double acceleration[3] = {};  ///< by body loads at the present time
+  double half_size[3] = {};     ///< of a particle at rest, in cells
+  const void* law = nullptr;    ///< the body's law object
 };
 
 /// What all particles share during a sweep.
 struct SweepConstants {
   double cell = 0;
   double inverse_cell = 0;
-  double origin_x = 0, origin_y = 0;                          ///< of the grid
-  double lower_x = 0, lower_y = 0, upper_x = 0, upper_y = 0;  ///< no particle may leave this box
-  double kick = 0;                                            ///< time by which velocities advance
-  double drift = 0;                                           ///< time by which positions advance
+  double origin[3] = {};                ///< of the grid
+  double lower[3] = {}, upper[3] = {};  ///< no particle may leave this box
+  double faces[3] = {};                 ///< cells from the lower face of the domain to the upper one
+  double kick = 0;                      ///< time by which velocities advance
+  double drift = 0;                     ///< time by which positions advance
   double flip = 1;
-  int sums = 0;  ///< how many of `Sum` there are
 };
 
 /// Up to block_size particles of one body in one tile.
@@ -120,13 +126,19 @@ struct Block {
   std::array<double*, attribute_count> arrays{};  ///< from the block's first particle on
   const BodyConstants* body = nullptr;
   const SweepConstants* sweep = nullptr;
-  double window_x = 0, window_y = 0;  ///< first cell of the tile's window
-  /// Cells of the window in which the particles may be: 0 <= lowest, highest < 10.
-  double lowest_x = 0, lowest_y = 0, highest_x = 0, highest_y = 0;
-  double* sums = nullptr;  ///< the tile's, sweep->sums arrays of window_nodes
+  double window_first[3] = {};  ///< first cell of the tile's window
+  /// Cells of the window in which the particles may be, both ends included.
+  double lowest[3] = {}, highest[3] = {};
+  double* sums = nullptr;  ///< the tile's, one array of window_nodes per quantity
   Scratch* scratch = nullptr;
 
   double* operator[](Attribute a) const { return arrays[static_cast<int>(a)]; }
+  /// A component of a vector whose first component is `a`.
+  double* component(Attribute a, int axis) const { return arrays[static_cast<int>(a) + axis]; }
+  double mass(int i) const {
+    const double* volumes = (*this)[Attribute::reference_volume];
+    return volumes ? body->density * volumes[i] : body->mass;
+  }
 };
 
 /// One thing that is done to a block. Does not allocate, throw or look anything up.

@@ -4,79 +4,84 @@
 #include <tuple>
 
 namespace trajan {
-namespace {
 
-/// Values of a tile that does not exist.
-alignas(64) constexpr double nothing[sum_count * window_nodes] = {};
-static_assert(node_value_count * tile_nodes <= sum_count * window_nodes);
-
-bool before(const Tile& a, const Tile& b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); }
-
-/// The tiles that own nodes of an occupied tile's window which its particles can reach.
-void add_reached(const OccupiedTile& tile, std::vector<Tile>& out) {
-  // Window nodes 1 .. 8 are the tile's own; cell c touches nodes c and c + 1.
-  const int left = tile.cells.lowest_x < 1 ? -1 : 0, right = tile.cells.highest_x + 1 > tile_side ? 1 : 0;
-  const int down = tile.cells.lowest_y < 1 ? -1 : 0, up = tile.cells.highest_y + 1 > tile_side ? 1 : 0;
-  for (int dy = down; dy <= up; ++dy)
-    for (int dx = left; dx <= right; ++dx) {
-      Tile reached;
-      reached.x = tile.x + dx;
-      reached.y = tile.y + dy;
-      out.push_back(reached);
-    }
+bool before(const TileIndex& a, const TileIndex& b) {
+  return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
 }
 
-}  // namespace
+/// Adds the tiles that own nodes of an occupied tile's window which its particles can reach.
+void Tiles::add_reached(const OccupiedTile& tile) {
+  TileIndex down{}, up{};
+  for (int axis = 0; axis < layout_.dimensions; ++axis) {
+    // Cell c of the window has the tile's nodes c - 1 and c; wide functions reach one node further.
+    const int reach = layout_.wide ? 1 : 0;
+    down[axis] = tile.cells.lowest[axis] - 1 - reach < 0 ? -1 : 0;
+    up[axis] = tile.cells.highest[axis] + reach >= layout_.side ? 1 : 0;
+  }
+  for (int z = down[2]; z <= up[2]; ++z)
+    for (int y = down[1]; y <= up[1]; ++y)
+      for (int x = down[0]; x <= up[0]; ++x) {
+        Tile reached;
+        reached.at = {tile.at[0] + x, tile.at[1] + y, tile.at[2] + z};
+        tiles_.push_back(reached);
+      }
+}
+
+void Tiles::find_neighbours(Tile& tile) const {
+  for (int n = 0; n < layout_.neighbours; ++n) {
+    TileIndex at = tile.at;
+    for (int axis = 0, rest = n; axis < layout_.dimensions; ++axis, rest /= 3) at[axis] += rest % 3 - 1;
+    tile.around[n] = find(at);
+  }
+}
 
 void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRange> blocks,
-                    std::span<const std::uint32_t> blocks_of, int sum_arrays) {
+                    std::span<const std::uint32_t> blocks_of) {
   tiles_.clear();
-  for (const OccupiedTile& tile : occupied) add_reached(tile, tiles_);
-  std::sort(tiles_.begin(), tiles_.end(), before);
-  const auto same = [](const Tile& a, const Tile& b) { return a.x == b.x && a.y == b.y; };
+  for (const OccupiedTile& tile : occupied) add_reached(tile);
+  std::sort(tiles_.begin(), tiles_.end(), [](const Tile& a, const Tile& b) { return before(a.at, b.at); });
+  const auto same = [](const Tile& a, const Tile& b) { return a.at == b.at; };
   tiles_.erase(std::unique(tiles_.begin(), tiles_.end(), same), tiles_.end());
   tiles_.shrink_to_fit();
 
   blocks_ = std::move(blocks);
   std::uint32_t block = 0;
   for (std::size_t i = 0; i < occupied.size(); ++i) {
-    Tile& tile = tiles_[static_cast<std::size_t>(find(occupied[i].x, occupied[i].y))];
+    Tile& tile = tiles_[static_cast<std::size_t>(find(occupied[i].at))];
     tile.cells = occupied[i].cells;
     tile.window = static_cast<std::int32_t>(i);
     tile.first_block = block;
     block += blocks_of[i];
     tile.last_block = block;
   }
-  for (Tile& tile : tiles_)
-    for (int n = 0; n < 9; ++n) tile.around[n] = find(tile.x + n % 3 - 1, tile.y + n / 3 - 1);
+  for (Tile& tile : tiles_) find_neighbours(tile);
 
-  sum_arrays_ = sum_arrays;
-  nodes_.assign(tiles_.size() * node_value_count * tile_nodes, 0.0);
-  sums_.assign(occupied.size() * sum_arrays * window_nodes, 0.0);
+  nodes_.assign(tiles_.size() * node_size(), 0.0);
+  sums_.assign(occupied.size() * window_size(), 0.0);
+  nothing_.assign(std::max(node_size(), window_size()), 0.0);
 }
 
-std::array<const double*, 9> Tiles::nodes_around(const Tile& tile) const {
-  std::array<const double*, 9> around;
-  for (int n = 0; n < 9; ++n)
-    around[n] = tile.around[n] < 0 ? nothing : nodes(static_cast<std::size_t>(tile.around[n]));
+Neighbours Tiles::nodes_around(const Tile& tile) const {
+  Neighbours around{};
+  for (int n = 0; n < layout_.neighbours; ++n)
+    around[n] = tile.around[n] < 0 ? nothing_.data() : nodes(static_cast<std::size_t>(tile.around[n]));
   return around;
 }
 
-std::array<const double*, 9> Tiles::sums_around(const Tile& tile) const {
-  std::array<const double*, 9> around;
-  for (int n = 0; n < 9; ++n) {
+Neighbours Tiles::sums_around(const Tile& tile) const {
+  Neighbours around{};
+  for (int n = 0; n < layout_.neighbours; ++n) {
     const Tile* other = tile.around[n] < 0 ? nullptr : &tiles_[static_cast<std::size_t>(tile.around[n])];
-    around[n] = other && other->window >= 0 ? sums_.data() + window(*other) : nothing;
+    around[n] = other && other->window >= 0 ? sums_.data() + window(*other) : nothing_.data();
   }
   return around;
 }
 
-std::int32_t Tiles::find(std::int32_t x, std::int32_t y) const {
-  Tile wanted;
-  wanted.x = x;
-  wanted.y = y;
-  const auto found = std::lower_bound(tiles_.begin(), tiles_.end(), wanted, before);
-  if (found == tiles_.end() || found->x != x || found->y != y) return -1;
+std::int32_t Tiles::find(const TileIndex& at) const {
+  const auto found =
+      std::lower_bound(tiles_.begin(), tiles_.end(), at,
+                       [](const Tile& tile, const TileIndex& wanted) { return before(tile.at, wanted); });
+  if (found == tiles_.end() || found->at != at) return -1;
   return static_cast<std::int32_t>(found - tiles_.begin());
 }
 
@@ -102,7 +107,7 @@ std::vector<std::size_t> Tiles::shares(int threads) const {
 
 std::size_t Tiles::memory() const {
   return tiles_.capacity() * sizeof(Tile) + blocks_.capacity() * sizeof(BlockRange) +
-         (nodes_.capacity() + sums_.capacity()) * sizeof(double);
+         (nodes_.capacity() + sums_.capacity() + nothing_.capacity()) * sizeof(double);
 }
 
 }  // namespace trajan

@@ -6,13 +6,16 @@
 #include <vector>
 
 #include "solver/executors/aligned.h"
-#include "solver/executors/tile.h"
+#include "solver/executors/layout.h"
 
 namespace trajan {
 
-/// Cells of a window, both ends included.
+/// Along x, y and z; axes that the grid lacks are 0.
+using TileIndex = std::array<std::int32_t, 3>;
+
+/// Cells of a window along each axis, both ends included.
 struct CellRange {
-  std::int32_t lowest_x = 0, highest_x = 0, lowest_y = 0, highest_y = 0;
+  TileIndex lowest{}, highest{};
   auto operator<=>(const CellRange&) const = default;
 };
 
@@ -25,51 +28,66 @@ struct BlockRange {
 
 /// A tile that has particles: its place in units of tiles, where in its window they may be.
 struct OccupiedTile {
-  std::int32_t x = 0, y = 0;
+  TileIndex at{};
   CellRange cells;
 };
 
 struct Tile {
-  std::int32_t x = 0, y = 0;
-  std::array<std::int32_t, 9> around{};  ///< indices of the 3 x 3 tiles, row by row; -1: does not exist
+  TileIndex at{};
+  /// Indices of the tiles around, x fastest, the tile itself in the middle; -1: does not exist.
+  std::array<std::int32_t, most_neighbours> around{};
   CellRange cells;
   std::int32_t window = -1;                       ///< index of its sums; -1: no particles
   std::uint32_t first_block = 0, last_block = 0;  ///< half-open
 };
 
-/// The part of the background grid that exists. Ordered row by row.
+/// Row by row, plane by plane.
+bool before(const TileIndex& a, const TileIndex& b);
+
+using Neighbours = std::array<const double*, most_neighbours>;
+
+/// The part of the background grid that exists, in order.
 class Tiles {
  public:
+  /// `node_quantities`: how many arrays a tile's nodes have; `sum_quantities`: how many a window has.
+  Tiles(const Layout& layout, int node_quantities, int sum_quantities)
+      : layout_(layout), node_quantities_(node_quantities), sum_quantities_(sum_quantities) {}
+
   /// `occupied` in order; `blocks` in the order of their tiles, `blocks_of[i]` the number of those of
   /// occupied tile i. Node values and sums are not kept.
   void rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRange> blocks,
-               std::span<const std::uint32_t> blocks_of, int sum_arrays);
+               std::span<const std::uint32_t> blocks_of);
 
+  const Layout& layout() const { return layout_; }
   std::span<const Tile> tiles() const { return tiles_; }
   std::span<const BlockRange> blocks() const { return blocks_; }
-  int sum_arrays() const { return sum_arrays_; }
-  double* nodes(std::size_t tile) { return nodes_.data() + tile * node_value_count * tile_nodes; }
-  const double* nodes(std::size_t tile) const { return nodes_.data() + tile * node_value_count * tile_nodes; }
+  int sum_quantities() const { return sum_quantities_; }
+  double* nodes(std::size_t tile) { return nodes_.data() + tile * node_size(); }
+  const double* nodes(std::size_t tile) const { return nodes_.data() + tile * node_size(); }
   /// Only of a tile that has particles.
   double* sums(std::size_t tile) { return sums_.data() + window(tiles_[tile]); }
-  /// Of the 3 x 3 tiles around, zeros where there is none.
-  std::array<const double*, 9> nodes_around(const Tile& tile) const;
-  std::array<const double*, 9> sums_around(const Tile& tile) const;
-  /// Index of the tile at (x, y), -1 if it does not exist.
-  std::int32_t find(std::int32_t x, std::int32_t y) const;
+  /// Of the tiles around, zeros where there is none.
+  Neighbours nodes_around(const Tile& tile) const;
+  Neighbours sums_around(const Tile& tile) const;
+  /// Index of a tile, -1 if it does not exist.
+  std::int32_t find(const TileIndex& at) const;
   /// Contiguous shares of the tiles for `threads` threads, of about equal work: threads + 1 bounds.
   std::vector<std::size_t> shares(int threads) const;
   std::size_t memory() const;
 
  private:
-  std::size_t window(const Tile& tile) const {
-    return static_cast<std::size_t>(tile.window) * static_cast<std::size_t>(sum_arrays_ * window_nodes);
-  }
+  std::size_t node_size() const { return static_cast<std::size_t>(node_quantities_ * tile_nodes); }
+  std::size_t window_size() const { return static_cast<std::size_t>(sum_quantities_ * layout_.window_nodes); }
+  std::size_t window(const Tile& tile) const { return static_cast<std::size_t>(tile.window) * window_size(); }
+  void add_reached(const OccupiedTile& tile);
+  void find_neighbours(Tile& tile) const;
 
+  Layout layout_;
+  int node_quantities_, sum_quantities_;
   std::vector<Tile> tiles_;
   std::vector<BlockRange> blocks_;
   AlignedDoubles nodes_, sums_;
-  int sum_arrays_ = 0;
+  AlignedDoubles nothing_;  ///< values of a tile that does not exist
 };
 
 }  // namespace trajan

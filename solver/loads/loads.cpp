@@ -8,10 +8,17 @@
 namespace trajan {
 namespace {
 
-/// Bilinear polynomials of a cell's four nodes, in the order of their indices.
-std::array<double, 4> corner_weights(double fx, double fy) {
-  return {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
+/// Multilinear polynomials of a cell's nodes, in the order of their indices.
+std::array<double, 8> corner_weights(const double (&f)[3], int axes) {
+  std::array<double, 8> weights;
+  for (unsigned n = 0; n < weights.size(); ++n) {
+    weights[n] = n >> axes ? 0.0 : 1.0;
+    for (int axis = 0; axis < axes; ++axis) weights[n] *= n >> axis & 1u ? f[axis] : 1 - f[axis];
+  }
+  return weights;
 }
+
+double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 }  // namespace
 
@@ -33,11 +40,11 @@ std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Mod
   return slots;
 }
 
-Loads::Loads(const Model& model, bool total_lagrangian) : model_(model), total_lagrangian_(total_lagrangian) {
+Loads::Loads(const Model& model, bool total_lagrangian)
+    : model_(model), axes_(grid_axes(model.dimension)), total_lagrangian_(total_lagrangian) {
   for (const SurfaceLoad& load : model.surface_loads)
     for (const LoadPoint& point : load.points) {
-      positions_.push_back(point.position.x);
-      positions_.push_back(point.position.y);
+      positions_.insert(positions_.end(), {point.position.x, point.position.y, point.position.z});
     }
 }
 
@@ -69,70 +76,84 @@ void Loads::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
 
 void Loads::accelerate(std::vector<BodyParticles>& bodies, double time) const {
   if (model_.body_loads.empty()) return;
-  for (BodyParticles& body : bodies) body.constants.acceleration_x = body.constants.acceleration_y = 0;
+  for (BodyParticles& body : bodies)
+    for (double& a : body.constants.acceleration) a = 0;
   for (const BodyLoad& load : model_.body_loads) {
     const double factor = load.time(time);
-    for (std::size_t b : load.bodies) {
-      bodies[b].constants.acceleration_x += factor * load.acceleration.x;
-      bodies[b].constants.acceleration_y += factor * load.acceleration.y;
-    }
+    for (std::size_t b : load.bodies)
+      for (int axis = 0; axis < axes_; ++axis)
+        bodies[b].constants.acceleration[axis] += factor * component(load.acceleration, axis);
   }
+}
+
+int Loads::corner(const Layout& layout, int n) const {
+  int at = 0;
+  for (int axis = 0; axis < axes_; ++axis) at += (n >> axis & 1) * layout.window_stride(axis);
+  return at;
 }
 
 Loads::Stencil Loads::stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
                               std::size_t point) const {
   const Tile& tile = tiles.tiles()[tiles_[point]];
+  const Layout& layout = tiles.layout();
   const BodyParticles& body = bodies[carriers_[point].body];
-  const double q = 1 / model_.grid.cell;
-  const auto in_window = [&](double position, double origin, std::int32_t tile_index) {
-    return (position - origin) * q - (tile_side * static_cast<double>(tile_index) - 1);
-  };
-  const double cx = in_window(body[Attribute::position_x][carriers_[point].index], model_.grid.origin.x, tile.x);
-  const double cy = in_window(body[Attribute::position_y][carriers_[point].index], model_.grid.origin.y, tile.y);
-  const double px = in_window(positions_[2 * point], model_.grid.origin.x, tile.x);
-  const double py = in_window(positions_[2 * point + 1], model_.grid.origin.y, tile.y);
-  const int column = static_cast<int>(cx), row = static_cast<int>(cy);
-  return {&tile, row * window_side + column, corner_weights(cx - column, cy - row),
-          corner_weights(px - column, py - row)};
+  Stencil stencil{&tile, layout.corner_offset(), {}, {}};
+  double carrier[3] = {}, place[3] = {};
+  for (int axis = 0; axis < axes_; ++axis) {
+    const double origin = component(model_.grid.origin, axis), first = layout.side * double{1} * tile.at[axis] - 1;
+    const double at = body.component(Attribute::position_x, axis)[carriers_[point].index];
+    const double c = (at - origin) / model_.grid.cell - first;
+    const int cell = static_cast<int>(c);
+    carrier[axis] = c - cell;
+    place[axis] =
+        (positions_[3 * point + static_cast<std::size_t>(axis)] - origin) / model_.grid.cell - first - cell;
+    stencil.node += cell * layout.window_stride(axis);
+  }
+  stencil.of_carrier = corner_weights(carrier, axes_);
+  stencil.of_point = corner_weights(place, axes_);
+  return stencil;
 }
 
 void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies, double time) const {
+  const Layout& layout = tiles.layout();
   std::size_t p = 0;
   for (const SurfaceLoad& load : model_.surface_loads) {
     const double factor = load.time(time);
     for (const LoadPoint& point : load.points) {
       const Stencil s = stencil(tiles, bodies, p);
-      double* x = &tiles.sums(tiles_[p])[sum_load_x * window_nodes + s.node];
-      double* y = &tiles.sums(tiles_[p])[sum_load_y * window_nodes + s.node];
-      for (int n = 0; n < 4; ++n) {
-        const int at = n / 2 * window_side + n % 2;
-        x[at] += s.of_point[n] * factor * point.force.x;
-        y[at] += s.of_point[n] * factor * point.force.y;
+      for (int axis = 0; axis < axes_; ++axis) {
+        double* sums = tiles.sums(tiles_[p]) + quantity(sum_load, axis, axes_) * layout.window_nodes + s.node;
+        for (int n = 0; n < 1 << axes_; ++n)
+          sums[corner(layout, n)] += s.of_point[n] * factor * component(point.force, axis);
       }
       ++p;
     }
   }
 }
 
-void Loads::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, NodeValue gradient,
-                   double drift) {
+void Loads::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) {
   if (total_lagrangian_) return;
-  const auto value = [&tiles](const Tile& tile, int quantity, int node) {
-    const int i = node % window_side - 1, j = node / window_side - 1;
-    const int across = (i + tile_side) / tile_side, up = (j + tile_side) / tile_side;
-    const auto owner = static_cast<std::size_t>(tile.around[up * 3 + across]);
-    return tiles.nodes(owner)[quantity * tile_nodes + (j & (tile_side - 1)) * tile_side + (i & (tile_side - 1))];
+  const Layout& layout = tiles.layout();
+  const auto value = [&](const Tile& tile, int which, int window_node) {
+    int neighbour = 0, node = 0, power = 1;
+    for (int axis = 0; axis < axes_; ++axis, power *= 3) {
+      const int i = window_node / layout.window_stride(axis) % layout.window_side - layout.below;
+      neighbour += (i + layout.side) / layout.side * power;
+      node += (i & (layout.side - 1)) * layout.tile_stride(axis);
+    }
+    return tiles.nodes(static_cast<std::size_t>(tile.around[neighbour]))[which * tile_nodes + node];
   };
   for (std::size_t p = 0; p < carriers_.size(); ++p) {
     const Stencil s = stencil(tiles, bodies, p);
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < axes_; ++axis) {
       double velocity = 0;
-      for (std::size_t n = 0; n < 4; ++n) {
-        const int node = s.node + static_cast<int>(n / 2 * window_side + n % 2);
-        velocity += s.of_carrier[n] * value(*s.tile, node_velocity_x + axis, node) +
-                    (s.of_point[n] - s.of_carrier[n]) * value(*s.tile, gradient + axis, node);
+      for (int n = 0; n < 1 << axes_; ++n) {
+        const int node = s.node + corner(layout, n);
+        velocity +=
+            s.of_carrier[n] * value(*s.tile, quantity(node_velocity, axis, axes_), node) +
+            (s.of_point[n] - s.of_carrier[n]) * value(*s.tile, quantity(node_mapped_velocity, axis, axes_), node);
       }
-      positions_[2 * p + static_cast<std::size_t>(axis)] += drift * velocity;
+      positions_[3 * p + static_cast<std::size_t>(axis)] += drift * velocity;
     }
   }
 }

@@ -18,7 +18,7 @@ struct Slot {
 };
 
 /// Surface loads ride on carrier particles: a force is distributed to the nodes of its carrier's cell with
-/// the bilinear polynomials of that cell, evaluated at the point, so that resultant and moment are exact
+/// the multilinear polynomials of that cell, evaluated at the point, so that resultant and moment are exact
 /// wherever the point is, and only nodes with mass are loaded.
 class Loads {
  public:
@@ -31,12 +31,12 @@ class Loads {
   void accelerate(std::vector<BodyParticles>& bodies, double time) const;
   /// Adds the surface loads of this time to the windows of the carriers' tiles.
   void add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies, double time) const;
-  /// Moves the points as their carriers move, and around them as the velocities `gradient` say; to be called
-  /// before the particles move. A node that few particles just reach is fast without bound after the step's
-  /// forces: the carrier hardly feels it, but a polynomial that is continued to the point would.
-  void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, NodeValue gradient, double drift);
+  /// Moves the points as their carriers move, and around them as the velocities for gradients say; to be
+  /// called before the particles move. A node that few particles just reach is fast without bound after the
+  /// step's forces: the carrier hardly feels it, but a polynomial that is continued to the point would.
+  void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
 
-  /// Positions of the points, for checkpoints: x, y of one after the other.
+  /// Positions of the points, for checkpoints: x, y, z of one after the other.
   std::vector<double>& positions() { return positions_; }
 
  private:
@@ -44,12 +44,16 @@ class Loads {
   struct Stencil {
     const Tile* tile;
     int node;
-    std::array<double, 4> of_carrier;
-    std::array<double, 4> of_point;
+    std::array<double, 8> of_carrier;
+    std::array<double, 8> of_point;
   };
   Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t point) const;
 
+  /// The cell's node of this index, from its first one.
+  int corner(const Layout& layout, int n) const;
+
   const Model& model_;
+  int axes_;  ///< of the grid
   bool total_lagrangian_;
   std::vector<double> positions_;
   std::vector<Slot> carriers_;

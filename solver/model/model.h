@@ -22,6 +22,7 @@ struct Grid {
   double cell = 0;
   std::int64_t cells_x = 0;
   std::int64_t cells_y = 0;
+  std::int64_t cells_z = 0;
 };
 
 struct Material {
@@ -42,11 +43,12 @@ struct Body {
   double particle_volume = 0;            ///< reference volume of each particle, thickness included
   std::optional<Expression> velocity_x;  ///< of x, y; empty: 0
   std::optional<Expression> velocity_y;
+  std::optional<Expression> velocity_z;
 };
 
-/// Nodes i0 <= i <= i1, j0 <= j <= j1, and within the disc if there is one.
+/// Nodes i0 <= i <= i1, j0 <= j <= j1, k0 <= k <= k1, and within the disc if there is one.
 struct NodeRegion {
-  std::int64_t i0 = 0, i1 = -1, j0 = 0, j1 = -1;
+  std::int64_t i0 = 0, i1 = -1, j0 = 0, j1 = -1, k0 = 0, k1 = 0;
   std::optional<Disc> disc;
 };
 
@@ -56,6 +58,7 @@ struct NodeCondition {
   NodeRegion nodes;
   std::optional<Expression> velocity_x;  ///< of t
   std::optional<Expression> velocity_y;
+  std::optional<Expression> velocity_z;
 };
 
 /// A force on a material point that rides on a particle: the particle's own stencil cell is used, its

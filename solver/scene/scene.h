@@ -24,6 +24,11 @@ struct Constant {
 
 enum class Dimension { unspecified, bar, plane_stress, plane_strain, axisymmetric, solid };
 
+/// How many axes the grid has.
+constexpr int grid_axes(Dimension dimension) {
+  return dimension == Dimension::bar ? 1 : dimension == Dimension::solid ? 3 : 2;
+}
+
 struct Domain {
   Dimension dimension = Dimension::unspecified;
   Vector lower;

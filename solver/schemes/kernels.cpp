@@ -1,8 +1,7 @@
 // Compiled once for each instruction set that is dispatched to, with TRAJAN_INSTRUCTION_SET its name.
 #include "solver/materials/laws.h"
 #include "solver/schemes/law_kernels.h"
-#include "solver/transfers/linear_gather.h"
-#include "solver/transfers/linear_scatter.h"
+#include "solver/shapes/transfers.h"
 #include "solver/transfers/node_updates.h"
 #include "solver/transfers/pointwise.h"
 
@@ -30,28 +29,23 @@ const LawKernels* law(std::string_view name, Dimension dimension, bool total_lag
   return nullptr;
 }
 
+const TransferKernels* transfer(std::string_view name, Dimension dimension) {
+#define TRAJAN_CHOOSE(Shape, transfer_of) \
+  if (name == Shape) return transfer_of(dimension);
+  TRAJAN_FOR_EACH_SHAPE(TRAJAN_CHOOSE)
+#undef TRAJAN_CHOOSE
+  return nullptr;
+}
+
+template <int D>
+constexpr MotionKernels motion{&find_loads<D>, &kick<D>,           &kick_and_blend<D>, &move<D>,
+                               &displace<D>,   &measure_motion<D>, &account<D>,        &calm_light_nodes<D>};
+
 }  // namespace
 
 extern const Kernels compiled_kernels;
-const Kernels compiled_kernels{TRAJAN_TEXT(TRAJAN_INSTRUCTION_SET),
-                               &locate,
-                               &scatter_state<false>,
-                               &scatter_state<true>,
-                               &scatter_momentum,
-                               &gather_acceleration,
-                               &gather_acceleration_and_velocity,
-                               &gather_motion,
-                               &kick,
-                               &kick_and_blend,
-                               &move,
-                               &displace,
-                               &measure_motion,
-                               &update_velocities,
-                               &account,
-                               &map_velocities,
-                               &calm_light_nodes,
-                               &load_window,
-                               &law};
+const Kernels compiled_kernels{
+    TRAJAN_TEXT(TRAJAN_INSTRUCTION_SET), {motion<1>, motion<2>, motion<3>}, &transfer, &law};
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan

@@ -7,6 +7,7 @@
 
 #include "solver/executors/block.h"
 #include "solver/executors/instruction_set.h"
+#include "solver/executors/tiles.h"
 #include "solver/scene/scene.h"
 
 namespace trajan {
@@ -14,7 +15,7 @@ namespace trajan {
 /// Sums and maxima over particles.
 struct Totals {
   double kinetic_energy = 0, strain_energy = 0;
-  double momentum_x = 0, momentum_y = 0;
+  double momentum[3] = {};
   double squared_speed = 0;       ///< largest
   double squared_wave_speed = 0;  ///< largest, in a total Lagrangian scheme of the reference configuration
 };
@@ -35,39 +36,53 @@ struct LawKernels {
 
 /// What all windows together have collected for a tile's nodes. Loads stay zero if there are none.
 struct NodeSums {
-  alignas(64) double values[sum_count][tile_nodes] = {};
+  alignas(64) double values[quantities(sum_vectors, 3)][tile_nodes] = {};
 };
 
-/// A tile's nodes, what its window and those of its eight neighbours have collected, and the constants of
-/// the pass.
+/// A tile's nodes, what its window and those of its neighbours have collected, and the constants of the pass.
 struct NodeBlock {
-  double* nodes = nullptr;              ///< node_value_count arrays of tile_nodes
-  std::array<const double*, 9> sums{};  ///< of the 3 x 3 tiles around, row by row
-  int sum_arrays = 0;                   ///< how many of `Sum` there are
-  double kick = 0;                      ///< time by which velocities advance
-  double damping = 0;                   ///< force per momentum
-  double least_mass = 0;                ///< nodes with less do not move
-  double light_mass = 0;                ///< nodes with less are spared internal forces in gradients
-  NodeSums* collected = nullptr;        ///< working memory
-  double work = 0, dissipated = 0;      ///< results
+  double* nodes = nullptr;          ///< one array of tile_nodes per quantity
+  Neighbours sums{};                ///< of the tiles around
+  int sum_quantities = 0;           ///< how many there are in a window
+  double kick = 0;                  ///< time by which velocities advance
+  double damping = 0;               ///< force per momentum
+  double least_mass = 0;            ///< nodes with less do not move
+  double light_mass = 0;            ///< nodes with less are spared internal forces in gradients
+  NodeSums* collected = nullptr;    ///< working memory
+  double work = 0, dissipated = 0;  ///< results
+};
+
+/// What depends on the shape functions and the dimension.
+struct TransferKernels {
+  Layout layout;
+  int window_copies;  ///< arrays that a window needs for one quantity
+  Stage locate;
+  Stage scatter_state;  ///< mass, momentum and internal force
+  Stage scatter_hoop;   ///< axisymmetric: the hoop stress's force
+  Stage scatter_loads, scatter_momentum;
+  Stage gather_acceleration, gather_velocity;
+  Stage gather_motion;  ///< velocity, and the gradient of the mapped one
+  Stage gather_hoop;    ///< axisymmetric: hoop strain rate
+  void (*update_velocities)(NodeBlock&);
+  void (*map_velocities)(NodeBlock&);
+  /// Copies what a tile and its neighbours hold into a window. `mask`: bits of the quantities.
+  void (*load_window)(double* window, const Neighbours& nodes, unsigned mask);
+};
+
+/// What depends on the dimension alone.
+struct MotionKernels {
+  Stage find_loads, kick, kick_and_blend, move, displace;
+  Measurement measure;  ///< kinetic energy, momentum and speed
+  void (*account)(NodeBlock&);
+  void (*calm_light_nodes)(NodeBlock&);
 };
 
 /// Everything whose speed depends on the instruction set.
 struct Kernels {
   const char* instruction_set;
-  Stage locate;
-  Stage scatter_state, scatter_state_and_loads, scatter_momentum;
-  Stage gather_acceleration, gather_acceleration_and_velocity;
-  Stage gather_motion;
-  Stage kick, kick_and_blend;
-  Stage move, displace;
-  Measurement measure_motion;  ///< kinetic energy, momentum and speed
-  void (*update_velocities)(NodeBlock&);
-  void (*account)(NodeBlock&);
-  void (*map_velocities)(NodeBlock&);
-  void (*calm_light_nodes)(NodeBlock&);
-  /// Copies what a tile and its neighbours hold into a window. `mask`: bits of NodeValue.
-  void (*load_window)(Window&, const std::array<const double*, 9>& nodes, unsigned mask);
+  MotionKernels motion[3];  ///< by grid axes, less one
+  /// nullptr: there are no shape functions of that name.
+  const TransferKernels* (*transfer)(std::string_view shape_functions, Dimension dimension);
   const LawKernels* (*law)(std::string_view name, Dimension dimension, bool total_lagrangian);
 };
 

@@ -9,9 +9,9 @@
 namespace trajan {
 
 double stable_time_step(const Model& model, double wave_speed, double particle_speed) {
-  // A wave along the diagonal of a square cell sees the stiffness of both axes: sqrt(2).
+  // A wave along the diagonal of a cell sees the stiffness of all axes: sqrt(2) in a plane.
   const double advection = find_scheme(model.numerics.scheme)->total_lagrangian ? 0.0 : particle_speed;
-  return model.grid.cell / (std::sqrt(2.0) * wave_speed + advection);
+  return model.grid.cell / (std::sqrt(static_cast<double>(grid_axes(model.dimension))) * wave_speed + advection);
 }
 
 TimeStepLimit time_step_limit(const Model& model) {

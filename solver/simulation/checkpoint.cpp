@@ -23,9 +23,9 @@ std::vector<std::int32_t> pack(const Tiles& tiles) {
   std::vector<std::int32_t> packed;
   for (const Tile& tile : tiles.tiles()) {
     if (tile.window < 0) continue;
-    const CellRange& c = tile.cells;
-    packed.insert(packed.end(), {tile.x, tile.y, c.lowest_x, c.highest_x, c.lowest_y, c.highest_y,
-                                 static_cast<std::int32_t>(tile.last_block - tile.first_block)});
+    for (const TileIndex& part : {tile.at, tile.cells.lowest, tile.cells.highest})
+      packed.insert(packed.end(), part.begin(), part.end());
+    packed.push_back(static_cast<std::int32_t>(tile.last_block - tile.first_block));
   }
   return packed;
 }
@@ -36,20 +36,21 @@ std::vector<std::int64_t> pack(std::span<const BlockRange> blocks) {
   return packed;
 }
 
-void unpack(const Checkpoint& checkpoint, int sum_arrays, Tiles& tiles) {
+void unpack(const Checkpoint& checkpoint, Tiles& tiles) {
   std::vector<OccupiedTile> occupied;
   std::vector<std::uint32_t> blocks_of;
   const auto& t = array<std::int32_t>(checkpoint, "tiles");
-  for (std::size_t i = 0; i + 7 <= t.size(); i += 7) {
-    occupied.push_back({t[i], t[i + 1], {t[i + 2], t[i + 3], t[i + 4], t[i + 5]}});
-    blocks_of.push_back(static_cast<std::uint32_t>(t[i + 6]));
+  for (std::size_t i = 0; i + 10 <= t.size(); i += 10) {
+    const auto part = [&](std::size_t from) { return TileIndex{t[i + from], t[i + from + 1], t[i + from + 2]}; };
+    occupied.push_back({part(0), {part(3), part(6)}});
+    blocks_of.push_back(static_cast<std::uint32_t>(t[i + 9]));
   }
   std::vector<BlockRange> blocks;
   const auto& b = array<std::int64_t>(checkpoint, "blocks");
   for (std::size_t i = 0; i + 3 <= b.size(); i += 3)
     blocks.push_back({static_cast<std::uint32_t>(b[i]), static_cast<std::uint16_t>(b[i + 1]),
                       static_cast<std::uint16_t>(b[i + 2])});
-  tiles.rebuild(occupied, std::move(blocks), blocks_of, sum_arrays);
+  tiles.rebuild(occupied, std::move(blocks), blocks_of);
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
     const auto& numbers = array<std::int64_t>(checkpoint, array_name(b, "number"));
     body.number.assign(numbers.begin(), numbers.end());
   }
-  unpack(checkpoint, executor_.sum_arrays(), executor_.tiles());
+  unpack(checkpoint, executor_.tiles());
   executor_.loads().positions() = array<double>(checkpoint, "load_points");
   executor_.bind();
   const auto& energies = array<double>(checkpoint, "energies");

@@ -12,61 +12,54 @@ namespace {
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
 constexpr double least_mass_share = 1e-12;
 
-constexpr unsigned bit(NodeValue value) { return 1u << value; }
-
-/// Bits of the node quantities that a pass gathers.
-unsigned gathered(Pass pass, double flip) {
-  constexpr unsigned velocity = bit(node_velocity_x) | bit(node_velocity_y);
-  constexpr unsigned acceleration = bit(node_acceleration_x) | bit(node_acceleration_y);
-  constexpr unsigned mapped = bit(node_mapped_velocity_x) | bit(node_mapped_velocity_y);
-  switch (pass) {
-    case Pass::gather_acceleration:
-      return acceleration | (flip < 1 ? velocity : 0u);
-    case Pass::gather_motion:
-      return velocity | mapped;
-    default:
-      return 0;
-  }
-}
-
 }  // namespace
 
 /// A chain of passes, resolved to stages for every body.
 struct Executor::Chain {
   std::vector<Pass> passes;
-  unsigned mask = 0;            ///< node quantities that are gathered
-  int first_sum = 0, sums = 0;  ///< sums that are scattered
-  std::vector<Stage> stages;    ///< of one body after the other
+  unsigned mask = 0;                       ///< node quantities that are gathered
+  int first_sum = 0, sums = 0;             ///< sums that are scattered
+  std::vector<std::vector<Stage>> stages;  ///< by body
 };
 
 Executor::Executor(const Model& model, int threads)
     : model_(model),
+      axes_(grid_axes(model.dimension)),
       kernels_(kernels()),
+      motion_(kernels_.motion[axes_ - 1]),
+      transfer_(*kernels_.transfer(model.numerics.shape_functions, model.dimension)),
       pool_(threads),
       bodies_(make_particles(model)),
       conditions_(model),
-      loads_(model, find_scheme(model.numerics.scheme)->total_lagrangian) {
+      loads_(model, find_scheme(model.numerics.scheme)->total_lagrangian),
+      tiles_(transfer_.layout, quantities(node_vectors, axes_),
+             quantities(loads_.none() ? sum_load : sum_vectors, axes_)) {
   sweep_.cell = model.grid.cell;
   sweep_.inverse_cell = 1 / model.grid.cell;
-  sweep_.origin_x = sweep_.lower_x = model.grid.origin.x;
-  sweep_.origin_y = sweep_.lower_y = model.grid.origin.y;
-  sweep_.upper_x = sweep_.lower_x + model.grid.cell * static_cast<double>(model.grid.cells_x);
-  sweep_.upper_y = sweep_.lower_y + model.grid.cell * static_cast<double>(model.grid.cells_y);
+  const double origin[] = {model.grid.origin.x, model.grid.origin.y, model.grid.origin.z};
+  const std::int64_t cells[] = {model.grid.cells_x, model.grid.cells_y, model.grid.cells_z};
+  for (int axis = 0; axis < axes_; ++axis) {
+    sweep_.origin[axis] = sweep_.lower[axis] = origin[axis];
+    sweep_.faces[axis] = static_cast<double>(cells[axis]);
+    sweep_.upper[axis] = origin[axis] + model.grid.cell * sweep_.faces[axis];
+  }
   sweep_.flip = model.numerics.flip_fraction;
-  sweep_.sums = loads_.none() ? sums_without_loads : sum_count;
-  lightest_particle_ = bodies_[0].constants.mass;
-  for (const BodyParticles& body : bodies_) lightest_particle_ = std::min(lightest_particle_, body.constants.mass);
+  lightest_particle_ = lightest_particle(bodies_);
   account_ = !loads_.none() || model.damping > 0 || conditions_.work();
+  const auto window = static_cast<std::size_t>(quantities(node_vectors, axes_) * transfer_.window_copies *
+                                               transfer_.layout.window_nodes);
   for (int thread = 0; thread < threads; ++thread) {
     scratch_.push_back(std::make_unique<Scratch>());
     collected_.push_back(std::make_unique<NodeSums>());
+    windows_.emplace_back(window, 0.0);
+    scratch_.back()->window = windows_.back().data();
   }
 }
 
 Executor::~Executor() = default;
 
 void Executor::sort() {
-  sort_into_tiles(model_.grid, bodies_, tiles_, sweep_.sums);
+  sort_into_tiles(model_.grid, bodies_, tiles_);
   ++sortings_;
   bind();
 }
@@ -90,7 +83,7 @@ void Executor::for_each_tile(Of&& of) {
 
 void Executor::particles(std::initializer_list<Pass> passes) {
   for (Pass pass : passes) {
-    if (pass == Pass::gather_motion) loads_.advect(tiles_, bodies_, node_mapped_velocity_x, times_.drift);
+    if (pass == Pass::gather_motion) loads_.advect(tiles_, bodies_, times_.drift);
     noted_.push_back(pass);
   }
 }
@@ -103,33 +96,54 @@ void Executor::finish() {
   run(passes);
 }
 
-Stage Executor::stage_of(Pass pass, const BodyParticles& body) const {
-  const bool blend = sweep_.flip < 1;
+std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) const {
+  const bool blend = sweep_.flip < 1, hoop = model_.dimension == Dimension::axisymmetric;
+  std::vector<Stage> stages;
   switch (pass) {
     case Pass::locate:
-      return kernels_.locate;
+      return {transfer_.locate};
     case Pass::force:
-      return body.law->force;
+      return {body.law->force};
     case Pass::scatter_state:
-      return loads_.none() ? kernels_.scatter_state : kernels_.scatter_state_and_loads;
+      stages = {transfer_.scatter_state};
+      if (hoop) stages.push_back(transfer_.scatter_hoop);
+      if (!loads_.none()) stages.insert(stages.end(), {motion_.find_loads, transfer_.scatter_loads});
+      return stages;
     case Pass::gather_acceleration:
-      return blend ? kernels_.gather_acceleration_and_velocity : kernels_.gather_acceleration;
+      stages = {transfer_.gather_acceleration};
+      if (blend) stages.push_back(transfer_.gather_velocity);
+      return stages;
     case Pass::update_velocity:
-      return blend ? kernels_.kick_and_blend : kernels_.kick;
+      return {blend ? motion_.kick_and_blend : motion_.kick};
     case Pass::kick:
-      return kernels_.kick;
+      return {motion_.kick};
     case Pass::scatter_momentum:
-      return kernels_.scatter_momentum;
+      return {transfer_.scatter_momentum};
     case Pass::gather_motion:
-      return kernels_.gather_motion;
+      stages = {transfer_.gather_motion};
+      if (hoop) stages.push_back(transfer_.gather_hoop);
+      return stages;
     case Pass::move:
-      return kernels_.move;
+      return {motion_.move};
     case Pass::displace:
-      return kernels_.displace;
+      return {motion_.displace};
     case Pass::deform:
-      return body.law->deform;
+      return {body.law->deform};
   }
-  return nullptr;
+  return stages;
+}
+
+/// Bits of the node quantities that a pass gathers.
+unsigned Executor::gathered(Pass pass) const {
+  const auto bits = [this](NodeVector vector) { return ((1u << axes_) - 1) << quantity(vector, 0, axes_); };
+  switch (pass) {
+    case Pass::gather_acceleration:
+      return bits(node_acceleration) | (sweep_.flip < 1 ? bits(node_velocity) : 0u);
+    case Pass::gather_motion:
+      return bits(node_velocity) | bits(node_mapped_velocity);
+    default:
+      return 0;
+  }
 }
 
 const Executor::Chain& Executor::chain_of(std::span<const Pass> passes) {
@@ -138,12 +152,18 @@ const Executor::Chain& Executor::chain_of(std::span<const Pass> passes) {
   auto chain = std::make_unique<Chain>();
   chain->passes.assign(passes.begin(), passes.end());
   for (Pass pass : passes) {
-    chain->mask |= gathered(pass, sweep_.flip);
-    if (pass == Pass::scatter_state) chain->sums = sweep_.sums;
-    if (pass == Pass::scatter_momentum) chain->first_sum = sum_momentum_x, chain->sums = 2;
+    chain->mask |= gathered(pass);
+    if (pass == Pass::scatter_state) chain->sums = tiles_.sum_quantities();
+    if (pass == Pass::scatter_momentum) {
+      chain->first_sum = quantity(sum_momentum, 0, axes_);
+      chain->sums = axes_;
+    }
   }
-  for (const BodyParticles& body : bodies_)
-    for (Pass pass : passes) chain->stages.push_back(stage_of(pass, body));
+  for (const BodyParticles& body : bodies_) {
+    std::vector<Stage>& stages = chain->stages.emplace_back();
+    for (Pass pass : passes)
+      for (Stage stage : stages_of(pass, body)) stages.push_back(stage);
+  }
   chains_.push_back(std::move(chain));
   return *chains_.back();
 }
@@ -172,15 +192,15 @@ void Executor::run_tile(std::size_t index, const Chain& chain, Scratch& scratch)
   const Tile& tile = tiles_.tiles()[index];
   if (tile.window < 0) return;
   if (chain.mask) {
-    kernels_.load_window(scratch.window, tiles_.nodes_around(tile), chain.mask);
+    transfer_.load_window(scratch.window, tiles_.nodes_around(tile), chain.mask);
   }
+  const int window_nodes = transfer_.layout.window_nodes;
   double* sums = tiles_.sums(index) + chain.first_sum * window_nodes;
   std::fill(sums, sums + chain.sums * window_nodes, 0.0);
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
     Block block = make_block(tile, tiles_.blocks()[b], scratch);
     block.sums = tiles_.sums(index);
-    const Stage* stages = chain.stages.data() + tiles_.blocks()[b].body * chain.passes.size();
-    for (std::size_t i = 0; i < chain.passes.size(); ++i) stages[i](block);
+    for (Stage stage : chain.stages[tiles_.blocks()[b].body]) stage(block);
   }
 }
 
@@ -192,12 +212,11 @@ Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& s
     if (!body.arrays[a].empty()) block.arrays[a] = const_cast<double*>(body.arrays[a].data()) + range.begin;
   block.body = &body.constants;
   block.sweep = &sweep_;
-  block.window_x = tile_side * static_cast<double>(tile.x) - 1;
-  block.window_y = tile_side * static_cast<double>(tile.y) - 1;
-  block.lowest_x = tile.cells.lowest_x;
-  block.highest_x = tile.cells.highest_x;
-  block.lowest_y = tile.cells.lowest_y;
-  block.highest_y = tile.cells.highest_y;
+  for (int axis = 0; axis < axes_; ++axis) {
+    block.window_first[axis] = transfer_.layout.side * static_cast<double>(tile.at[axis]) - 1;
+    block.lowest[axis] = tile.cells.lowest[axis];
+    block.highest[axis] = tile.cells.highest[axis];
+  }
   block.scratch = &scratch;
   return block;
 }
@@ -214,20 +233,20 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
     NodeBlock block;
     block.nodes = tiles_.nodes(index);
     block.sums = tiles_.sums_around(tiles_.tiles()[index]);
-    block.sum_arrays = sweep_.sums;
+    block.sum_quantities = tiles_.sum_quantities();
     block.kick = times.kick();
     block.damping = model_.damping;
     block.least_mass = least_mass_share * lightest_particle_;
     block.collected = collected_[thread].get();
-    kernels_.update_velocities(block);
+    transfer_.update_velocities(block);
     const double reactions = conditions_.prescribe(index, block.nodes, times.kick());
     if (light_node > 0) {
       block.light_mass = light_node * lightest_particle_;
-      kernels_.calm_light_nodes(block);
+      motion_.calm_light_nodes(block);
       conditions_.prescribe_mapped(index, block.nodes);
     }
     if (!account_) return;
-    kernels_.account(block);
+    motion_.account(block);
     tile_work_[index] = block.work + reactions;
     tile_dissipated_[index] = block.dissipated;
   });
@@ -243,7 +262,7 @@ void Executor::map_velocities() {
     block.nodes = tiles_.nodes(index);
     block.sums = tiles_.sums_around(tiles_.tiles()[index]);
     block.least_mass = least_mass_share * lightest_particle_;
-    kernels_.map_velocities(block);
+    transfer_.map_velocities(block);
     conditions_.prescribe_mapped(index, block.nodes);
   });
 }

@@ -82,7 +82,6 @@ class Executor {
   double dissipated() const { return dissipated_; }
   void restore(double work, double dissipated) { work_ = work, dissipated_ = dissipated; }
   std::size_t memory() const;
-  int sum_arrays() const { return sweep_.sums; }
   /// Throws Diverged at the present step, about the particle that looks worst.
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
 
@@ -93,25 +92,31 @@ class Executor {
   const Chain& chain_of(std::span<const Pass> passes);
   void run_tile(std::size_t tile, const Chain& chain, Scratch& scratch);
   Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
-  Stage stage_of(Pass pass, const BodyParticles& body) const;
+  /// What a pass does to the particles of a body, one stage after the other.
+  std::vector<Stage> stages_of(Pass pass, const BodyParticles& body) const;
+  unsigned gathered(Pass pass) const;
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
   template <class Of>
   void for_each_tile(Of&& of);
 
   const Model& model_;
+  int axes_;  ///< of the grid
   const Kernels& kernels_;
+  const MotionKernels& motion_;
+  const TransferKernels& transfer_;
   ThreadPool pool_;
   std::vector<BodyParticles> bodies_;
-  Tiles tiles_;
   NodeConditions conditions_;
   Loads loads_;
+  Tiles tiles_;
   SweepConstants sweep_;
   StepTimes times_;
   std::vector<Pass> noted_;  ///< passes over particles that are still to be run
   std::vector<std::unique_ptr<const Chain>> chains_;
   std::vector<std::unique_ptr<Scratch>> scratch_;     ///< by thread
   std::vector<std::unique_ptr<NodeSums>> collected_;  ///< by thread
+  std::vector<AlignedDoubles> windows_;               ///< by thread
   std::vector<std::size_t> shares_;
   std::vector<double> tile_work_, tile_dissipated_;
   std::vector<Totals> tile_totals_;

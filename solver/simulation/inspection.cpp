@@ -16,7 +16,7 @@ Totals Executor::totals() {
       const Tile& tile = tiles_.tiles()[index];
       for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
         const Block block = make_block(tile, tiles_.blocks()[b], *scratch_[t]);
-        kernels_.measure_motion(block, tile_totals_[index]);
+        motion_.measure(block, tile_totals_[index]);
         bodies_[tiles_.blocks()[b].body].law->measure(block, tile_totals_[index]);
       }
     }
@@ -25,8 +25,7 @@ Totals Executor::totals() {
   for (const Totals& tile : tile_totals_) {
     all.kinetic_energy += tile.kinetic_energy;
     all.strain_energy += tile.strain_energy;
-    all.momentum_x += tile.momentum_x;
-    all.momentum_y += tile.momentum_y;
+    for (int axis = 0; axis < axes_; ++axis) all.momentum[axis] += tile.momentum[axis];
     if (!(tile.squared_speed <= all.squared_speed)) all.squared_speed = tile.squared_speed;
     if (!(tile.squared_wave_speed <= all.squared_wave_speed)) all.squared_wave_speed = tile.squared_wave_speed;
   }
@@ -85,17 +84,20 @@ std::int64_t Executor::worst_particle() const {
   std::int64_t particle = -1;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const BodyParticles& body = bodies_[b];
-    const bool total = !body[Attribute::displacement_x].empty();
     for (std::size_t i = 0; i < body.size(); ++i) {
-      const double x = body[Attribute::position_x][i] + (total ? body[Attribute::displacement_x][i] : 0.0);
-      const double y = body[Attribute::position_y][i] + (total ? body[Attribute::displacement_y][i] : 0.0);
-      const double vx = body[Attribute::velocity_x][i], vy = body[Attribute::velocity_y][i];
-      const double out =
-          std::max({sweep_.lower_x - x, x - sweep_.upper_x, sweep_.lower_y - y, y - sweep_.upper_y});
+      double out = 0, squared_speed = 0, sum = 0;
+      for (int axis = 0; axis < axes_; ++axis) {
+        const std::vector<double>& moved = body.component(Attribute::displacement_x, axis);
+        const double x = body.component(Attribute::position_x, axis)[i] + (moved.empty() ? 0.0 : moved[i]);
+        const double v = body.component(Attribute::velocity_x, axis)[i];
+        out = std::max({out, sweep_.lower[axis] - x, x - sweep_.upper[axis]});
+        squared_speed += v * v;
+        sum += x + v;
+      }
       // Not finite before outside before fast.
-      double badness = std::hypot(vx, vy);
+      double badness = std::sqrt(squared_speed);
       if (out > 0) badness = 1e200 * (1 + out / sweep_.cell);
-      if (!std::isfinite(x + y + vx + vy)) badness = HUGE_VAL;
+      if (!std::isfinite(sum)) badness = HUGE_VAL;
       if (badness <= worst) continue;
       worst = badness;
       particle = model_.bodies[b].first_particle + body.number[i];
@@ -106,6 +108,7 @@ std::int64_t Executor::worst_particle() const {
 
 std::size_t Executor::memory() const {
   std::size_t bytes = tiles_.memory() + scratch_.size() * (sizeof(Scratch) + sizeof(NodeSums));
+  for (const AlignedDoubles& window : windows_) bytes += window.capacity() * sizeof(double);
   for (const BodyParticles& body : bodies_) {
     bytes += body.number.capacity() * sizeof(std::uint32_t);
     for (const std::vector<double>& array : body.arrays) bytes += array.capacity() * sizeof(double);

@@ -1,6 +1,7 @@
 #include "solver/simulation/particles.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "solver/schemes/schemes.h"
 
@@ -8,14 +9,14 @@ namespace trajan {
 namespace {
 
 constexpr std::string_view names[] = {
-    "position.x",     "position.y",     "position.z",     "velocity.x",     "velocity.y",     "velocity.z",
-    "displacement.x", "displacement.y", "displacement.z", "volume",         "stress.xx",      "stress.yy",
-    "stress.zz",      "stress.xy",      "stress.yz",      "stress.xz",      "deformation.xx", "deformation.xy",
-    "deformation.xz", "deformation.yx", "deformation.yy", "deformation.yz", "deformation.zx", "deformation.zy",
-    "deformation.zz", "affine.xx",      "affine.xy",      "affine.xz",      "affine.yx",      "affine.yy",
-    "affine.yz",      "affine.zx",      "affine.zy",      "affine.zz",      "history.0",      "history.1",
-    "history.2",      "history.3",      "history.4",      "history.5",      "history.6",      "history.7",
-    "load.x",         "load.y",         "load.z"};
+    "position.x",       "position.y",     "position.z",     "velocity.x",     "velocity.y",     "velocity.z",
+    "displacement.x",   "displacement.y", "displacement.z", "volume",         "stress.xx",      "stress.yy",
+    "stress.zz",        "stress.xy",      "stress.yz",      "stress.xz",      "deformation.xx", "deformation.xy",
+    "deformation.xz",   "deformation.yx", "deformation.yy", "deformation.yz", "deformation.zx", "deformation.zy",
+    "deformation.zz",   "affine.xx",      "affine.xy",      "affine.xz",      "affine.yx",      "affine.yy",
+    "affine.yz",        "affine.zx",      "affine.zy",      "affine.zz",      "history.0",      "history.1",
+    "history.2",        "history.3",      "history.4",      "history.5",      "history.6",      "history.7",
+    "reference_volume", "load.x",         "load.y",         "load.z"};
 static_assert(std::size(names) == attribute_count);
 
 const LawKernels& law_of(const Model& model, const Body& body) {
@@ -27,29 +28,49 @@ double value_or_zero(const std::optional<Expression>& expression, Vector at) {
   return expression ? (*expression)(at.x, at.y, 0) : 0.0;
 }
 
+BodyConstants constants_of(const Model& model, const Body& body) {
+  BodyConstants constants;
+  constants.density = model.materials[body.material].density;
+  constants.reference_volume = body.particle_volume;
+  constants.mass = constants.density * body.particle_volume;
+  const double spacing[] = {body.lattice.spacing.x, body.lattice.spacing.y, body.lattice.spacing.z};
+  for (int axis = 0; axis < 3; ++axis) constants.half_size[axis] = 0.5 * spacing[axis] / model.grid.cell;
+  return constants;
+}
+
+void fill(BodyParticles& made, const Model& model, const Body& body) {
+  const int axes = grid_axes(model.dimension);
+  const std::optional<Expression>* velocity[] = {&body.velocity_x, &body.velocity_y, &body.velocity_z};
+  for_each_lattice_point(body, [&](std::uint32_t number, Vector at) {
+    made.number[number] = number;
+    const double position[] = {at.x, at.y, at.z};
+    for (int axis = 0; axis < axes; ++axis) {
+      made.component(Attribute::position_x, axis)[number] = position[axis];
+      made.component(Attribute::velocity_x, axis)[number] = value_or_zero(*velocity[axis], at);
+    }
+  });
+  std::vector<double>& reference_volume = made[Attribute::reference_volume];
+  for (std::size_t i = 0; i < reference_volume.size(); ++i)
+    reference_volume[i] = body.particle_volume * made[Attribute::position_x][i];
+  std::vector<double>& volume = made[Attribute::volume];
+  for (std::size_t i = 0; i < volume.size(); ++i)
+    volume[i] = reference_volume.empty() ? body.particle_volume : reference_volume[i];
+}
+
 BodyParticles make_body(const Model& model, std::size_t index) {
   const Body& body = model.bodies[index];
-  const Material& material = model.materials[body.material];
   BodyParticles made;
   made.law = &law_of(model, body);
-  made.law_object = made.law->make(material.parameters.data(), model.dimension);
-  made.constants.reference_volume = body.particle_volume;
-  made.constants.mass = material.density * body.particle_volume;
+  made.law_object = made.law->make(model.materials[body.material].parameters.data(), model.dimension);
+  made.constants = constants_of(model, body);
   made.constants.law = made.law_object.get();
 
   const auto n = static_cast<std::size_t>(body.particles);
   for (const AttributeNeed& need : attributes_needed(model, index)) made[need.attribute].assign(n, 0.0);
-  for (Attribute one : {Attribute::deformation_xx, Attribute::deformation_yy})
+  for (Attribute one : {Attribute::deformation_xx, Attribute::deformation_yy, Attribute::deformation_zz})
     made[one].assign(made[one].size(), 1.0);
-  made[Attribute::volume].assign(made[Attribute::volume].size(), body.particle_volume);
   made.number.resize(n);
-  for_each_lattice_point(body, [&](std::uint32_t number, Vector at) {
-    made.number[number] = number;
-    made[Attribute::position_x][number] = at.x;
-    made[Attribute::position_y][number] = at.y;
-    made[Attribute::velocity_x][number] = value_or_zero(body.velocity_x, at);
-    made[Attribute::velocity_y][number] = value_or_zero(body.velocity_y, at);
-  });
+  fill(made, model, body);
   return made;
 }
 
@@ -67,8 +88,14 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   const auto add = [&needs](std::initializer_list<Attribute> attributes, const std::string& by) {
     for (Attribute a : attributes) needs.push_back({a, by});
   };
-  add({position_x, position_y, velocity_x, velocity_y}, scheme);
-  if (total) add({displacement_x, displacement_y}, scheme);
+  const auto add_vector = [&](Attribute first) {
+    for (int axis = 0; axis < grid_axes(model.dimension); ++axis)
+      needs.push_back({static_cast<Attribute>(static_cast<int>(first) + axis), scheme});
+  };
+  add_vector(position_x);
+  add_vector(velocity_x);
+  if (total) add_vector(displacement_x);
+  if (model.dimension == Dimension::axisymmetric) add({reference_volume}, "dimension axisymmetric");
   if (law.rate_form) add({volume, stress_xx, stress_yy, stress_xy}, law_name);
   if (law.rate_form && model.dimension == Dimension::plane_strain) add({stress_zz}, law_name + " in plane strain");
   if (!law.rate_form || total)
@@ -89,6 +116,16 @@ std::vector<Vector> reference_positions(const Model& model, const std::vector<st
     positions.push_back(body.lattice.point(range.begin + index, row));
   }
   return positions;
+}
+
+double lightest_particle(const std::vector<BodyParticles>& bodies) {
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const BodyParticles& body : bodies) {
+    const std::vector<double>& volumes = body[Attribute::reference_volume];
+    lightest = std::min(lightest, volumes.empty() ? body.constants.mass
+                                                  : body.constants.density * *std::ranges::min_element(volumes));
+  }
+  return lightest;
 }
 
 std::vector<BodyParticles> make_particles(const Model& model) {

@@ -25,6 +25,9 @@ struct BodyParticles {
   std::size_t size() const { return number.size(); }
   std::vector<double>& operator[](Attribute a) { return arrays[static_cast<int>(a)]; }
   const std::vector<double>& operator[](Attribute a) const { return arrays[static_cast<int>(a)]; }
+  /// A component of a vector whose first component is `a`.
+  std::vector<double>& component(Attribute a, int axis) { return arrays[static_cast<int>(a) + axis]; }
+  const std::vector<double>& component(Attribute a, int axis) const { return arrays[static_cast<int>(a) + axis]; }
 };
 
 /// An attribute that a body's particles carry, and which part of the scene makes it necessary.
@@ -49,11 +52,13 @@ void for_each_lattice_point(const Body& body, Visit&& visit) {
 /// Bodies at time 0, in the order of their numbers.
 std::vector<BodyParticles> make_particles(const Model& model);
 
+/// The least mass of a particle.
+double lightest_particle(const std::vector<BodyParticles>& bodies);
+
 /// Positions at time 0 of the particles of these numbers.
 std::vector<Vector> reference_positions(const Model& model, const std::vector<std::int64_t>& numbers);
 
 /// Puts particles in the order of tiles and, within one, of cells; particles of one cell stay in order.
-/// `sum_arrays` is what tiles have windows for.
-void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles& tiles, int sum_arrays);
+void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles& tiles);
 
 }  // namespace trajan

@@ -86,7 +86,7 @@ void Simulation::measure() {
     largest_energy_ = std::max(largest_energy_, std::abs(term));
   balance_error_ = largest_energy_ > 0 ? (total + dissipated - work - initial_energy_) / largest_energy_ : 0.0;
   columns_.insert(columns_.end(), {totals_.kinetic_energy, totals_.strain_energy, work, dissipated, total,
-                                   balance_error_, totals_.momentum_x, totals_.momentum_y});
+                                   balance_error_, totals_.momentum[0], totals_.momentum[1]});
   largest_input_ = std::max({largest_input_, initial_energy_, std::abs(work)});
   if (total <= energy_growth_bound * largest_input_) return;
   executor_.diverge("the energy has grown to " + std::to_string(total / largest_input_) +

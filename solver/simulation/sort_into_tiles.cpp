@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <unordered_map>
 
 #include "solver/simulation/particles.h"
@@ -8,41 +7,44 @@
 namespace trajan {
 namespace {
 
-/// A tile, ordered row by row.
-struct TileKey {
-  std::int32_t y = 0, x = 0;
-  auto operator<=>(const TileKey&) const = default;
-};
 struct TileHash {
-  std::size_t operator()(const TileKey& key) const {
-    return static_cast<std::size_t>(key.y) * 0x9E3779B97F4A7C15u + static_cast<std::size_t>(key.x);
+  std::size_t operator()(const TileIndex& at) const {
+    std::size_t hash = 0;
+    for (std::int32_t i : at) hash = hash * 0x9E3779B97F4A7C15u + static_cast<std::size_t>(i);
+    return hash;
   }
 };
 
 /// Which tile and which of its cells every particle of a body is in. Takes time and memory that depend on
 /// the number of particles alone, however far they are apart.
 struct Places {
-  std::vector<TileKey> tiles;       ///< in order
+  std::vector<TileIndex> tiles;     ///< in order
   std::vector<std::uint32_t> tile;  ///< by slot, index into tiles
   std::vector<std::uint8_t> cell;   ///< by slot, row by row within the tile
 
-  Places(const Grid& grid, const BodyParticles& body) : tile(body.size()), cell(body.size()) {
+  Places(const Grid& grid, const Layout& layout, const BodyParticles& body)
+      : tile(body.size()), cell(body.size()) {
     const double inverse_cell = 1 / grid.cell;
-    std::unordered_map<TileKey, std::uint32_t, TileHash> known;
-    TileKey last;
+    const double origin[] = {grid.origin.x, grid.origin.y, grid.origin.z};
+    std::unordered_map<TileIndex, std::uint32_t, TileHash> known;
+    TileIndex last{};
     std::uint32_t index = 0;
     for (std::size_t slot = 0; slot < body.size(); ++slot) {
-      const double x = (body[Attribute::position_x][slot] - grid.origin.x) * inverse_cell;
-      const double y = (body[Attribute::position_y][slot] - grid.origin.y) * inverse_cell;
-      const auto i = static_cast<std::int32_t>(std::floor(x)), j = static_cast<std::int32_t>(std::floor(y));
-      const TileKey key{j >> tile_bits, i >> tile_bits};
-      if (slot == 0 || key != last) {
-        index = known.emplace(key, static_cast<std::uint32_t>(tiles.size())).first->second;
-        if (index == tiles.size()) tiles.push_back(key);
-        last = key;
+      TileIndex at{};
+      int cell_in_tile = 0;
+      for (int axis = 0; axis < layout.dimensions; ++axis) {
+        const double x = (body.component(Attribute::position_x, axis)[slot] - origin[axis]) * inverse_cell;
+        const auto i = static_cast<std::int32_t>(std::floor(x));
+        at[axis] = i >> layout.tile_bits;
+        cell_in_tile += (i & (layout.side - 1)) * layout.tile_stride(axis);
+      }
+      if (slot == 0 || at != last) {
+        index = known.emplace(at, static_cast<std::uint32_t>(tiles.size())).first->second;
+        if (index == tiles.size()) tiles.push_back(at);
+        last = at;
       }
       tile[slot] = index;
-      cell[slot] = static_cast<std::uint8_t>((j & (tile_side - 1)) * tile_side + (i & (tile_side - 1)));
+      cell[slot] = static_cast<std::uint8_t>(cell_in_tile);
     }
     order_tiles();
   }
@@ -50,15 +52,13 @@ struct Places {
   std::size_t bin(std::size_t slot) const { return std::size_t{tile[slot]} * tile_nodes + cell[slot]; }
 
  private:
-  static constexpr int tile_bits = 3;
-  static_assert(1 << tile_bits == tile_side);
-
   void order_tiles() {
-    const std::vector<TileKey> found = tiles;
-    std::sort(tiles.begin(), tiles.end());
+    const std::vector<TileIndex> found = tiles;
+    std::sort(tiles.begin(), tiles.end(), before);
     std::vector<std::uint32_t> rank(found.size());
     for (std::size_t i = 0; i < found.size(); ++i)
-      rank[i] = static_cast<std::uint32_t>(std::lower_bound(tiles.begin(), tiles.end(), found[i]) - tiles.begin());
+      rank[i] = static_cast<std::uint32_t>(std::lower_bound(tiles.begin(), tiles.end(), found[i], before) -
+                                           tiles.begin());
     for (std::uint32_t& t : tile) t = rank[t];
   }
 };
@@ -73,30 +73,43 @@ void permute(std::vector<T>& values, const std::vector<std::uint32_t>& slot_of, 
 
 /// Particles of one body in one tile, and the cells that they are in.
 struct TileRun {
-  TileKey tile;
+  TileIndex tile{};
   std::uint32_t body = 0, begin = 0, end = 0;
   CellRange cells;
 };
 
 void include(CellRange& range, const CellRange& other) {
-  range = {std::min(range.lowest_x, other.lowest_x), std::max(range.highest_x, other.highest_x),
-           std::min(range.lowest_y, other.lowest_y), std::max(range.highest_y, other.highest_y)};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    range.lowest[axis] = std::min(range.lowest[axis], other.lowest[axis]);
+    range.highest[axis] = std::max(range.highest[axis], other.highest[axis]);
+  }
+}
+
+/// The cell of the window that a cell of the tile is.
+CellRange window_cell(const Layout& layout, int cell) {
+  TileIndex at{};
+  for (int axis = 0; axis < layout.dimensions; ++axis)
+    at[axis] = cell / layout.tile_stride(axis) % layout.side + 1;
+  return {at, at};
 }
 
 /// Orders a body's particles by counting how many are in each cell. Appends its runs.
-void reorder(const Grid& grid, BodyParticles& body, std::uint32_t index, std::vector<TileRun>& runs) {
-  const Places places(grid, body);
+void reorder(const Grid& grid, const Layout& layout, BodyParticles& body, std::uint32_t index,
+             std::vector<TileRun>& runs) {
+  const Places places(grid, layout, body);
   std::vector<std::uint32_t> begin(places.tiles.size() * tile_nodes + 1, 0);
   for (std::size_t slot = 0; slot < body.size(); ++slot) ++begin[places.bin(slot) + 1];
   for (std::size_t bin = 1; bin < begin.size(); ++bin) begin[bin] += begin[bin - 1];
 
   for (std::size_t t = 0; t < places.tiles.size(); ++t) {
     TileRun run{places.tiles[t], index, begin[t * tile_nodes], begin[(t + 1) * tile_nodes], {}};
-    run.cells = {tile_side, 1, tile_side, 1};
+    bool first = true;
     for (int c = 0; c < tile_nodes; ++c) {
       if (begin[t * tile_nodes + c] == begin[t * tile_nodes + c + 1]) continue;
-      const int x = c % tile_side + 1, y = c / tile_side + 1;  // of the window
-      include(run.cells, {x, x, y, y});
+      const CellRange cell = window_cell(layout, c);
+      if (first) run.cells = cell;
+      first = false;
+      include(run.cells, cell);
     }
     runs.push_back(run);
   }
@@ -111,11 +124,12 @@ void reorder(const Grid& grid, BodyParticles& body, std::uint32_t index, std::ve
 
 }  // namespace
 
-void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles& tiles, int sum_arrays) {
+void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles& tiles) {
+  const Layout& layout = tiles.layout();
   std::vector<TileRun> runs;
-  for (std::uint32_t b = 0; b < bodies.size(); ++b) reorder(grid, bodies[b], b, runs);
+  for (std::uint32_t b = 0; b < bodies.size(); ++b) reorder(grid, layout, bodies[b], b, runs);
   std::sort(runs.begin(), runs.end(), [](const TileRun& a, const TileRun& b) {
-    return std::tie(a.tile, a.body) < std::tie(b.tile, b.body);
+    return a.tile != b.tile ? before(a.tile, b.tile) : a.body < b.body;
   });
 
   std::vector<OccupiedTile> occupied;
@@ -124,7 +138,7 @@ void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const TileRun& run = runs[i];
     if (i == 0 || runs[i - 1].tile != run.tile) {
-      occupied.push_back({run.tile.x, run.tile.y, run.cells});
+      occupied.push_back({run.tile, run.cells});
       blocks_of.push_back(0);
     }
     include(occupied.back().cells, run.cells);
@@ -135,11 +149,12 @@ void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles
     }
   }
   // The margin of one cell for drifting.
-  for (OccupiedTile& tile : occupied) {
-    CellRange& c = tile.cells;
-    c = {c.lowest_x - 1, c.highest_x + 1, c.lowest_y - 1, c.highest_y + 1};
-  }
-  tiles.rebuild(occupied, std::move(blocks), blocks_of, sum_arrays);
+  for (OccupiedTile& tile : occupied)
+    for (int axis = 0; axis < layout.dimensions; ++axis) {
+      --tile.cells.lowest[axis];
+      ++tile.cells.highest[axis];
+    }
+  tiles.rebuild(occupied, std::move(blocks), blocks_of);
 }
 
 }  // namespace trajan

@@ -9,86 +9,98 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// v += dt a.
+template <int D>
 inline void kick(Block& block) {
-  Scratch& s = *block.scratch;
-  double* vx = block[Attribute::velocity_x];
-  double* vy = block[Attribute::velocity_y];
   const double dt = block.sweep->kick;
+  for (int axis = 0; axis < D; ++axis) {
+    double* v = block.component(Attribute::velocity_x, axis);
+    const double* a = block.scratch->acceleration[axis].data();
 #pragma GCC ivdep
-  for (int i = 0; i < block.count; ++i) {
-    vx[i] += dt * s.acceleration[0][i];
-    vy[i] += dt * s.acceleration[1][i];
+    for (int i = 0; i < block.count; ++i) v[i] += dt * a[i];
   }
 }
 
 /// A blend of FLIP, v + dt a, and PIC, the grid's velocity (Stomakhin et al. 2013).
+template <int D>
 inline void kick_and_blend(Block& block) {
-  Scratch& s = *block.scratch;
-  double* vx = block[Attribute::velocity_x];
-  double* vy = block[Attribute::velocity_y];
   const double dt = block.sweep->kick, flip = block.sweep->flip, pic = 1 - flip;
+  for (int axis = 0; axis < D; ++axis) {
+    double* v = block.component(Attribute::velocity_x, axis);
+    const double* a = block.scratch->acceleration[axis].data();
+    const double* u = block.scratch->velocity[axis].data();
 #pragma GCC ivdep
-  for (int i = 0; i < block.count; ++i) {
-    vx[i] = flip * (vx[i] + dt * s.acceleration[0][i]) + pic * s.velocity[0][i];
-    vy[i] = flip * (vy[i] + dt * s.acceleration[1][i]) + pic * s.velocity[1][i];
+    for (int i = 0; i < block.count; ++i) v[i] = flip * (v[i] + dt * a[i]) + pic * u[i];
   }
+}
+
+/// Advances a vector of positions or displacements by the grid's velocity. `origin` is what it counts from,
+/// nullptr: positions themselves.
+inline void advance_along(Block& block, int axis, double* x, const double* origin) {
+  Scratch& s = *block.scratch;
+  const SweepConstants& c = *block.sweep;
+  const double* u = s.velocity[axis].data();
+  const double drift = c.drift, cell = c.cell, lower = c.lower[axis], upper = c.upper[axis];
+  std::int64_t far = 0, left = 0;
+  const auto advance = [&](auto from) __attribute__((always_inline)) {
+#pragma GCC ivdep
+    for (int i = 0; i < block.count; ++i) {
+      const double dx = drift * u[i];
+      x[i] += dx;
+      const double now = from(i) + x[i];
+      far += !((dx <= cell) & (-dx <= cell));
+      left += !((now >= lower) & (now <= upper));
+    }
+  };
+  if (origin)
+    advance([origin](int i) { return origin[i]; });
+  else
+    advance([](int) { return 0.0; });
+  s.trouble.moved_too_far += far;
+  s.trouble.left_domain += left;
 }
 
 /// x += dt u.
+template <int D>
 inline void move(Block& block) {
-  Scratch& s = *block.scratch;
-  const SweepConstants& c = *block.sweep;
-  double* x = block[Attribute::position_x];
-  double* y = block[Attribute::position_y];
-  std::int64_t far = 0, left = 0;
-#pragma GCC ivdep
-  for (int i = 0; i < block.count; ++i) {
-    const double dx = c.drift * s.velocity[0][i], dy = c.drift * s.velocity[1][i];
-    x[i] += dx;
-    y[i] += dy;
-    far += !((dx <= c.cell) & (-dx <= c.cell) & (dy <= c.cell) & (-dy <= c.cell));
-    left += !((x[i] >= c.lower_x) & (x[i] <= c.upper_x) & (y[i] >= c.lower_y) & (y[i] <= c.upper_y));
-  }
-  s.trouble.moved_too_far += far;
-  s.trouble.left_domain += left;
+  for (int axis = 0; axis < D; ++axis)
+    advance_along(block, axis, block.component(Attribute::position_x, axis), nullptr);
 }
 
-/// u += dt v: as `move`, where shape functions stay with the reference position.
+/// As `move`, where shape functions stay with the reference position.
+template <int D>
 inline void displace(Block& block) {
-  Scratch& s = *block.scratch;
-  const SweepConstants& c = *block.sweep;
-  double* ux = block[Attribute::displacement_x];
-  double* uy = block[Attribute::displacement_y];
-  const double* x = block[Attribute::position_x];
-  const double* y = block[Attribute::position_y];
-  std::int64_t far = 0, left = 0;
-#pragma GCC ivdep
-  for (int i = 0; i < block.count; ++i) {
-    const double dx = c.drift * s.velocity[0][i], dy = c.drift * s.velocity[1][i];
-    ux[i] += dx;
-    uy[i] += dy;
-    const double px = x[i] + ux[i], py = y[i] + uy[i];
-    far += !((dx <= c.cell) & (-dx <= c.cell) & (dy <= c.cell) & (-dy <= c.cell));
-    left += !((px >= c.lower_x) & (px <= c.upper_x) & (py >= c.lower_y) & (py <= c.upper_y));
-  }
-  s.trouble.moved_too_far += far;
-  s.trouble.left_domain += left;
+  for (int axis = 0; axis < D; ++axis)
+    advance_along(block, axis, block.component(Attribute::displacement_x, axis),
+                  block.component(Attribute::position_x, axis));
 }
 
+/// Acceleration by loads: the body's, and what is the particle's own.
+template <int D>
+inline void find_loads(Block& block) {
+  for (int axis = 0; axis < D; ++axis) {
+    double* load = block.scratch->load[axis].data();
+    const double* own = block.component(Attribute::load_x, axis);
+    const double common = block.body->acceleration[axis];
+    for (int i = 0; i < block.count; ++i) load[i] = common + (own ? own[i] : 0.0);
+  }
+}
+
+template <int D>
 inline void measure_motion(const Block& block, Totals& totals) {
-  const double* vx = block[Attribute::velocity_x];
-  const double* vy = block[Attribute::velocity_y];
-  double sum_x = 0, sum_y = 0, squares = 0, largest = totals.squared_speed;
+  double squares = 0, largest = totals.squared_speed, sums[D] = {};
   for (int i = 0; i < block.count; ++i) {
-    const double square = vx[i] * vx[i] + vy[i] * vy[i];
-    sum_x += vx[i];
-    sum_y += vy[i];
-    squares += square;
+    const double mass = block.mass(i);
+    double square = 0;
+    for (int axis = 0; axis < D; ++axis) {
+      const double v = block.component(Attribute::velocity_x, axis)[i];
+      sums[axis] += mass * v;
+      square += v * v;
+    }
+    squares += mass * square;
     if (square > largest) largest = square;
   }
-  totals.momentum_x += block.body->mass * sum_x;
-  totals.momentum_y += block.body->mass * sum_y;
-  totals.kinetic_energy += 0.5 * block.body->mass * squares;
+  for (int axis = 0; axis < D; ++axis) totals.momentum[axis] += sums[axis];
+  totals.kinetic_energy += 0.5 * squares;
   totals.squared_speed = largest;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/transfers/cells.h"
+#include "solver/transfers/plane_linear.h"
 
 /// Particles to grid with bilinear shape functions (Sulsky, Chen and Schreyer 1994), the four nodes of a cell
 /// at a time.
@@ -9,9 +9,8 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// Adds the four corners' values to a node quantity of a window.
 __attribute__((always_inline)) inline void add_corners(double* sum, Four corners) {
-  const Pair lower = {corners[0], corners[1]}, upper = {corners[2], corners[3]};
-  store(sum, load<Pair>(sum) + lower);
-  store(sum + window_side, load<Pair>(sum + window_side) + upper);
+  add(sum, Pair{corners[0], corners[1]});
+  add(sum + plane_linear_layout.window_side, Pair{corners[2], corners[3]});
 }
 
 /// Shape functions of the four nodes of a cell, in the order of their indices, as products along the axes.
@@ -21,9 +20,14 @@ struct Corners {
       : x(Four{1, 0, 1, 0} + Four{-1, 1, -1, 1} * fx), y(Four{1, 1, 0, 0} + Four{-1, -1, 1, 1} * fy) {}
 };
 
-/// Mass, momentum, internal force, and loads on the body's mass.
-template <bool Loads>
-inline void scatter_state(Block& block) {
+/// The sums of one vector's component, from a cell's first node on.
+__attribute__((always_inline)) inline double* sums_of_cell(const Block& block, SumVector vector, int axis,
+                                                           std::int64_t k) {
+  return block.sums + quantity(vector, axis, 2) * plane_linear_layout.window_nodes + k;
+}
+
+/// Mass, momentum and internal force.
+inline void scatter_state_plane_linear(Block& block) {
   Scratch& s = *block.scratch;
   const double mass = block.body->mass;
   const double* vx = block[Attribute::velocity_x];
@@ -32,7 +36,7 @@ inline void scatter_state(Block& block) {
       block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {
         Four weight{}, px{}, py{}, forces_x{}, forces_y{};
         for (int i = begin; i < end; ++i) {
-          const Corners n(s.fx[i], s.fy[i]);
+          const Corners n(s.place[0][i], s.place[1][i]);
           const Four w = n.x * n.y;
           // Minus the gradient of the shape functions, in cells.
           const Four gx = Four{1, -1, 1, -1} * n.y, gy = Four{1, 1, -1, -1} * n.x;
@@ -42,39 +46,38 @@ inline void scatter_state(Block& block) {
           forces_x += gx * s.force[0][i] + gy * s.force[1][i];
           forces_y += gx * s.force[2][i] + gy * s.force[3][i];
         }
-        weight *= mass;
-        double* sums = block.sums + k;
-        add_corners(sums + sum_mass * window_nodes, weight);
-        add_corners(sums + sum_momentum_x * window_nodes, px * mass);
-        add_corners(sums + sum_momentum_y * window_nodes, py * mass);
-        add_corners(sums + sum_force_x * window_nodes, forces_x);
-        add_corners(sums + sum_force_y * window_nodes, forces_y);
-        if constexpr (Loads) {
-          add_corners(sums + sum_load_x * window_nodes, weight * block.body->acceleration_x);
-          add_corners(sums + sum_load_y * window_nodes, weight * block.body->acceleration_y);
-        }
+        add_corners(block.sums + k, weight * mass);
+        add_corners(sums_of_cell(block, sum_momentum, 0, k), px * mass);
+        add_corners(sums_of_cell(block, sum_momentum, 1, k), py * mass);
+        add_corners(sums_of_cell(block, sum_force, 0, k), forces_x);
+        add_corners(sums_of_cell(block, sum_force, 1, k), forces_y);
       });
 }
 
-/// Momentum alone, for the second mapping of MUSL.
-inline void scatter_momentum(Block& block) {
+/// A vector that particles have, times their mass.
+inline void scatter_vector_plane_linear(Block& block, SumVector vector, const double* x, const double* y) {
   Scratch& s = *block.scratch;
   const double mass = block.body->mass;
-  const double* vx = block[Attribute::velocity_x];
-  const double* vy = block[Attribute::velocity_y];
   for_each_run(
       block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {
         Four px{}, py{};
         for (int i = begin; i < end; ++i) {
-          const Corners n(s.fx[i], s.fy[i]);
+          const Corners n(s.place[0][i], s.place[1][i]);
           const Four w = n.x * n.y;
-          px += w * vx[i];
-          py += w * vy[i];
+          px += w * x[i];
+          py += w * y[i];
         }
-        double* sums = block.sums + k;
-        add_corners(sums + sum_momentum_x * window_nodes, px * mass);
-        add_corners(sums + sum_momentum_y * window_nodes, py * mass);
+        add_corners(sums_of_cell(block, vector, 0, k), px * mass);
+        add_corners(sums_of_cell(block, vector, 1, k), py * mass);
       });
+}
+
+/// Momentum alone, for the second mapping of MUSL.
+inline void scatter_momentum_plane_linear(Block& block) {
+  scatter_vector_plane_linear(block, sum_momentum, block[Attribute::velocity_x], block[Attribute::velocity_y]);
+}
+inline void scatter_loads_plane_linear(Block& block) {
+  scatter_vector_plane_linear(block, sum_load, block.scratch->load[0].data(), block.scratch->load[1].data());
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -1,0 +1,78 @@
+#pragma once
+
+/// The background grid is cut into tiles of 64 cells: 64, 8 x 8 or 4 x 4 x 4. Only tiles near material
+/// exist. A tile owns the nodes at the lower corners of its cells. What its particles need of the grid, and
+/// what they give to it, is its window: the nodes that they can reach from its own cells and from a margin of
+/// one cell around them, so that particles may drift up to one cell out of their tile before they must be
+/// put into another. Linear functions reach the nodes of a particle's cell, wide ones one node more on each
+/// side.
+///
+///     cells of a window along an axis: 0 .. side + 1, of which 1 .. side are the tile's own
+///     nodes of a window along an axis: 0 .. window_side - 1, of which the tile owns below .. below + side - 1
+namespace trajan {
+
+inline constexpr int tile_nodes = 64;
+inline constexpr int most_neighbours = 27;  ///< the tile itself included
+
+struct Layout {
+  int dimensions;
+  bool wide;
+  int side;         ///< cells of a tile along an axis
+  int tile_bits;    ///< its binary logarithm
+  int below;        ///< nodes of a window below the tile's first one, along an axis
+  int above;        ///< nodes of a window above the tile's last one, along an axis
+  int window_side;  ///< nodes of a window along an axis
+  /// Doubles of one quantity in a window, in whole cache lines, with at least three to spare: rows of nodes
+  /// are read and written four at a time.
+  int window_nodes;
+  int neighbours;  ///< 3 to the power of dimensions
+
+  constexpr Layout(int axes, bool is_wide)
+      : dimensions(axes),
+        wide(is_wide),
+        side(axes == 1   ? 64
+             : axes == 2 ? 8
+                         : 4),
+        tile_bits(6 / axes),
+        below(is_wide ? 2 : 1),
+        above(is_wide ? 3 : 2),
+        window_side(side + below + above),
+        window_nodes((power(window_side, axes) + 3 + 7) / 8 * 8),
+        neighbours(power(3, axes)) {}
+
+  /// Distance in memory of neighbouring nodes along an axis.
+  constexpr int tile_stride(int axis) const { return power(side, axis); }
+  constexpr int window_stride(int axis) const { return power(window_side, axis); }
+  /// Node of a window whose index along every axis is that of a cell: the cell's lower corner.
+  constexpr int corner_offset() const {
+    int sum = 0;
+    for (int axis = 0; axis < dimensions; ++axis) sum += (below - 1) * window_stride(axis);
+    return sum;
+  }
+
+ private:
+  static constexpr int power(int base, int exponent) {
+    return exponent == 0 ? 1 : base * power(base, exponent - 1);
+  }
+};
+
+/// What nodes hold is one array of nodes per quantity: mass, then vectors. So it is with what particles scatter.
+enum SumVector : int {
+  sum_momentum,
+  sum_force,  ///< internal
+  sum_load,   ///< external; only there if the scene has loads
+  sum_vectors
+};
+enum NodeVector : int {
+  node_acceleration,
+  node_velocity,         ///< after the step's forces
+  node_mapped_velocity,  ///< for gradients: in MUSL mapped a second time from the particles
+  node_vectors
+};
+inline constexpr int quantity_mass = 0;
+/// Index of a component of a vector among the quantities.
+constexpr int quantity(int vector, int axis, int dimensions) { return 1 + vector * dimensions + axis; }
+/// How many quantities the mass and so many vectors are.
+constexpr int quantities(int vectors, int dimensions) { return 1 + vectors * dimensions; }
+
+}  // namespace trajan

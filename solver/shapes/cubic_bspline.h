@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+
+#include "solver/executors/instruction_set.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Cubic B-splines centred on the nodes (Steffen, Kirby and Berzins 2008).
+struct CubicBspline {
+  static constexpr std::string_view name = "cubic_bspline";
+  static constexpr int nodes = 4;
+  static constexpr bool wide = true;
+  static constexpr bool folds = true;
+
+  static int first_node(double at) { return static_cast<int>(at) - 1; }
+  /// p is between 1 and 2.
+  static void weigh(double p, double, double (&weight)[4], double (&slope)[4]) {
+    const double f = p - 1, g = 2 - p;
+    weight[0] = g * g * g / 6;
+    weight[1] = (4 + f * f * (3 * f - 6)) / 6;
+    weight[2] = (4 + g * g * (3 * g - 6)) / 6;
+    weight[3] = f * f * f / 6;
+    slope[0] = -0.5 * g * g;
+    slope[1] = f * (1.5 * f - 2);
+    slope[2] = g * (2 - 1.5 * g);
+    slope[3] = 0.5 * f * f;
+  }
+};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+
+#include "solver/executors/instruction_set.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Piecewise linear functions (Sulsky, Chen and Schreyer 1994).
+struct Linear {
+  static constexpr std::string_view name = "linear";
+  static constexpr int nodes = 2;
+  static constexpr bool wide = false;
+  static constexpr bool folds = false;
+
+  static int first_node(double at) { return static_cast<int>(at); }
+  static void weigh(double p, double, double (&weight)[2], double (&slope)[2]) {
+    weight[0] = 1 - p;
+    weight[1] = p;
+    slope[0] = -1;
+    slope[1] = 1;
+  }
+};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

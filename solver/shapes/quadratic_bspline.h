@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string_view>
+
+#include "solver/executors/instruction_set.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Quadratic B-splines centred on the nodes (Steffen, Kirby and Berzins 2008).
+struct QuadraticBspline {
+  static constexpr std::string_view name = "quadratic_bspline";
+  static constexpr int nodes = 3;
+  static constexpr bool wide = true;
+  static constexpr bool folds = true;
+
+  static int first_node(double at) { return static_cast<int>(at - 0.5); }
+  /// p is between 1/2 and 3/2.
+  static void weigh(double p, double, double (&weight)[3], double (&slope)[3]) {
+    const double below = 1.5 - p, middle = p - 1, above = p - 0.5;
+    weight[0] = 0.5 * below * below;
+    weight[1] = 0.75 - middle * middle;
+    weight[2] = 0.5 * above * above;
+    slope[0] = -below;
+    slope[1] = -2 * middle;
+    slope[2] = above;
+  }
+};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

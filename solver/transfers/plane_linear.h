@@ -1,0 +1,42 @@
+#pragma once
+
+#include "solver/shapes/linear.h"
+#include "solver/transfers/locate.h"
+
+/// Bilinear shape functions of plane scenes by themselves: particles are ordered by cell, and what is the same
+/// for a run of consecutive particles in one cell is done once.
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+inline constexpr Layout plane_linear_layout{2, false};
+
+/// Bilinear interpolation in the cell whose lower left node has index k:
+/// base[k] + fx dx[k] + fy (dy[k] + fx dxy[k]), exact for a uniform field.
+struct PlaneLinearValue {
+  static constexpr int nodes = plane_linear_layout.window_nodes;
+  static constexpr int copies = 4;
+  const double *base, *dx, *dy, *dxy;
+  __attribute__((always_inline)) PlaneLinearValue(const double* window, int which)
+      : base(window + which * copies * nodes), dx(base + nodes), dy(dx + nodes), dxy(dy + nodes) {}
+};
+
+/// Cells and places in them, no weights.
+inline void locate_in_cells(Block& block) {
+  locate_along<Linear, plane_linear_layout>(block, 0);
+  locate_along<Linear, plane_linear_layout>(block, 1);
+}
+
+/// Calls of(begin, end, cell) for every run of consecutive particles in one cell.
+template <class Function>
+__attribute__((always_inline)) inline void for_each_run(const Block& block, Function&& of) {
+  const std::int64_t* cell = block.scratch->cell;
+  for (int begin = 0; begin < block.count;) {
+    int end = begin + 1;
+    while (end < block.count && cell[end] == cell[begin]) ++end;
+    of(begin, end, cell[begin]);
+    begin = end;
+  }
+}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "solver/transfers/gather.h"
+#include "solver/transfers/locate.h"
+#include "solver/transfers/node_updates.h"
+#include "solver/transfers/scatter.h"
+
+/// The table of one kind of shape functions.
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L>>
+inline constexpr TransferKernels transfer_kernels{L,
+                                                  1,
+                                                  &locate<Shape, L>,
+                                                  &scatter_state<Stencil, L>,
+                                                  &scatter_hoop<Stencil, L>,
+                                                  &scatter_loads<Stencil, L>,
+                                                  &scatter_momentum<Stencil, L>,
+                                                  &gather_acceleration<Stencil, L>,
+                                                  &gather_velocity<Stencil, L>,
+                                                  &gather_motion<Stencil, L>,
+                                                  &gather_hoop<Stencil, L>,
+                                                  &update_velocities<L>,
+                                                  &map_velocities<L>,
+                                                  &load_window<L>};
+
+/// Shape functions may have faster kernels of their own for some dimensions.
+template <class Shape>
+struct TransferChoice {
+  static const TransferKernels* of(Dimension dimension) {
+    switch (grid_axes(dimension)) {
+      case 1:
+        return &transfer_kernels<Shape, Layout{1, Shape::wide}>;
+      case 2:
+        return &transfer_kernels<Shape, Layout{2, Shape::wide}>;
+      default:
+        return &transfer_kernels<Shape, Layout{3, Shape::wide}>;
+    }
+  }
+};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan
