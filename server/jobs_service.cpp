@@ -33,7 +33,8 @@ std::int64_t estimate_result_bytes(const Model& model) {
   const std::int64_t snapshots =
       outputs.samples_per_snapshot == 0 ? 0 : outputs.samples / outputs.samples_per_snapshot + 1;
   std::int64_t components = 6;
-  for (const Field field : outputs.snapshot_fields) components += std::ssize(field_components(field));
+  for (const Field field : outputs.snapshot_fields)
+    components += std::ssize(field_components(field, model.dimension));
   return static_cast<std::int64_t>(sizeof(double)) *
          ((outputs.samples + 1) * columns + snapshots * model.particle_count() * components);
 }

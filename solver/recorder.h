@@ -14,8 +14,8 @@ namespace trajan {
 /// All particles at one time, in the order of their numbers.
 struct Snapshot {
   double time = 0;
-  std::vector<double> position;  ///< (n, 2) row-major
-  std::vector<double> velocity;  ///< (n, 2)
+  std::vector<double> position;  ///< (n, axes) row-major, axes as vector_components
+  std::vector<double> velocity;  ///< (n, axes)
   /// The scene's snapshot_fields except position and velocity, each (n, components) row-major.
   std::vector<std::pair<Field, std::vector<double>>> fields;
 };

@@ -8,6 +8,7 @@
 
 #include "solver/materials/material.h"
 #include "solver/model/expression.h"
+#include "solver/model/fields.h"
 #include "solver/model/lattice.h"
 #include "solver/model/time_function.h"
 #include "solver/scene/scene.h"
@@ -143,11 +144,8 @@ class Model {
 
 /// Names of the histories' columns, in the order in which they are sampled: probes in the order of the
 /// scene ("tip.displacement.x", …), then "energies.kinetic", "energies.strain", "energies.work",
-/// "energies.dissipated", "energies.total", "energies.balance_error", "momentum.x", "momentum.y".
+/// "energies.dissipated", "energies.total", "energies.balance_error", then "momentum.x" and, as far as
+/// vectors have them, "momentum.y" and "momentum.z".
 std::vector<std::string> history_columns(const Model& model);
-
-/// "displacement" → {"x", "y"}, "stress" → {"xx", "yy", "xy", "zz"}.
-std::vector<std::string_view> field_components(Field field);
-std::string_view field_name(Field field);
 
 }  // namespace trajan

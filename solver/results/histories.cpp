@@ -93,7 +93,8 @@ Histories Histories::create(hid_t file, const Model& model) {
     link_time(file, group);
     for (Field field : probe.fields) {
       std::vector<std::string> components;
-      for (std::string_view component : field_components(field)) components.emplace_back(component);
+      for (std::string_view component : field_components(field, model.dimension))
+        components.emplace_back(component);
       histories.add_table(file, group + "/" + std::string(field_name(field)), components, chunk_rows);
     }
   }

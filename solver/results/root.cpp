@@ -24,7 +24,21 @@ std::string utc_now() {
 }
 
 std::string dimension_name(Dimension dimension) {
-  return dimension == Dimension::plane_strain ? "plane strain" : "plane stress";
+  switch (dimension) {
+    case Dimension::bar:
+      return "bar";
+    case Dimension::plane_stress:
+      return "plane stress";
+    case Dimension::plane_strain:
+      return "plane strain";
+    case Dimension::axisymmetric:
+      return "axisymmetric";
+    case Dimension::solid:
+      return "solid";
+    case Dimension::unspecified:
+      break;
+  }
+  return "unspecified";
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 constexpr hsize_t rows_per_chunk = 16384;
 constexpr hsize_t steps_per_chunk = 128;
 constexpr std::array<const char*, 4> topologies = {"Vertices", "Lines", "Polygons", "Strips"};
-constexpr std::array<std::string_view, 3> vector_components = {"x", "y", "z"};
-constexpr std::array<std::string_view, 6> tensor_components = {"xx", "yy", "zz", "xy", "yz", "xz"};
+constexpr std::array<std::string_view, 3> stored_vector = {"x", "y", "z"};
+constexpr std::array<std::string_view, 6> stored_tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};
 
 /// The datasets of Steps beside Values: one integer row per snapshot, telling where its data begin.
 struct Offsets {
@@ -43,8 +43,8 @@ std::vector<Offsets> offsets_of(const Model& model) {
 }
 
 std::span<const std::string_view> stored_components(Field field) {
-  if (field == Field::stress) return tensor_components;
-  return vector_components;
+  if (field == Field::stress) return stored_tensor;
+  return stored_vector;
 }
 
 hsize_t chunk_for(hsize_t rows) { return std::clamp<hsize_t>(rows, 1, rows_per_chunk); }
@@ -112,6 +112,7 @@ void write_identities(hid_t point_data, const Model& model) {
 Snapshots Snapshots::create(hid_t file, const Model& model) {
   Snapshots snapshots;
   snapshots.particles_ = static_cast<hsize_t>(model.particle_count());
+  snapshots.dimension_ = model.dimension;
   const Handle vtk = make_group(file, "VTKHDF");
   write_version(vtk);
   write_type(vtk);
@@ -147,6 +148,7 @@ Snapshots Snapshots::open(hid_t file, const Model& model) {
   constexpr auto ignore = Dataset::Checksums::ignore;
   Snapshots snapshots;
   snapshots.particles_ = static_cast<hsize_t>(model.particle_count());
+  snapshots.dimension_ = model.dimension;
   const Handle vtk = open_group(file, "VTKHDF");
   snapshots.points_ = Dataset::open(vtk, "Points", ignore);
   snapshots.field_kinds_ = stored_fields(model);
@@ -168,9 +170,9 @@ hsize_t Snapshots::count() const {
 
 void Snapshots::write_field(hsize_t index, Dataset& data, std::span<const std::string_view> components,
                             std::span<const double> values) {
-  const bool tensor = data.components() == tensor_components.size();
+  const bool tensor = data.components() == stored_tensor.size();
   const std::span<const std::string_view> stored =
-      tensor ? std::span<const std::string_view>(tensor_components) : vector_components;
+      tensor ? std::span<const std::string_view>(stored_tensor) : stored_vector;
   std::vector<std::size_t> places;
   for (std::string_view component : components)
     places.push_back(std::find(stored.begin(), stored.end(), component) - stored.begin());
@@ -187,14 +189,13 @@ void Snapshots::write_field(hsize_t index, Dataset& data, std::span<const std::s
 }
 
 void Snapshots::write_arrays(hsize_t index, const Snapshot& snapshot) {
-  const std::span<const std::string_view> plane = std::span(vector_components).first(2);
-  write_field(index, points_, plane, snapshot.position);
-  write_field(index, fields_[0], plane, snapshot.velocity);
+  write_field(index, points_, vector_components(dimension_), snapshot.position);
+  write_field(index, fields_[0], vector_components(dimension_), snapshot.velocity);
   for (std::size_t f = 1; f < fields_.size(); ++f) {
     const auto found = std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
                                     [&](const auto& field) { return field.first == field_kinds_[f]; });
     assert(found != snapshot.fields.end());
-    write_field(index, fields_[f], field_components(field_kinds_[f]), found->second);
+    write_field(index, fields_[f], field_components(field_kinds_[f], dimension_), found->second);
   }
   for (std::size_t o = 0; o < offsets_.size(); ++o) {
     const std::vector<std::int64_t> row(std::max<hsize_t>(offsets_[o].components(), 1),

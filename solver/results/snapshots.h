@@ -37,6 +37,7 @@ class Snapshots {
                    std::span<const double> values);
 
   hsize_t particles_ = 0;
+  Dimension dimension_ = Dimension::unspecified;
   Dataset points_;
   std::vector<Dataset> fields_;  ///< velocity, then the model's snapshot fields
   std::vector<Field> field_kinds_;

@@ -1,4 +1,5 @@
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -60,8 +61,8 @@ void write_field(std::ostream& out, const Source& source, const std::string& nam
     return write_attribute(out, source, name, "Scalar", {path, data.rows(), 0, 0, n, 0, 0});
   if (data.components() == 3)
     return write_attribute(out, source, name, "Vector", {path, data.rows(), 3, step * n, n, 0, 3});
-  const char* components[] = {"xx", "yy", "zz", "xy"};
-  for (hsize_t c = 0; c < 4; ++c)
+  const char* components[] = {"xx", "yy", "zz", "xy", "yz", "xz"};
+  for (hsize_t c = 0; c < std::size(components); ++c)
     write_attribute(out, source, name + "_" + components[c], "Scalar",
                     {path, data.rows(), data.components(), step * n, n, c, 1});
 }

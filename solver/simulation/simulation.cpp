@@ -147,7 +147,8 @@ void Simulation::probe() {
         for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * v[c];
         weights += weight;
       }
-      for (std::size_t c = 0; c < field_components(field).size(); ++c) columns_.push_back(sum[c] / weights);
+      for (std::size_t c = 0; c < field_components(field, model_.dimension).size(); ++c)
+        columns_.push_back(sum[c] / weights);
     }
     first += probe.particles.size();
   }

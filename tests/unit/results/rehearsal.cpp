@@ -78,14 +78,15 @@ std::vector<double> particle_array(const Model& model, std::int64_t row, std::st
 }
 
 Snapshot make_snapshot(const Model& model, std::int64_t row) {
+  const std::size_t axes = vector_components(model.dimension).size();
   Snapshot snapshot{time_of(model, row),
-                    particle_array(model, row, "position", 2),
-                    particle_array(model, row, "velocity", 2),
+                    particle_array(model, row, "position", axes),
+                    particle_array(model, row, "velocity", axes),
                     {}};
   for (Field field : model.outputs.snapshot_fields)
     if (field != Field::position && field != Field::velocity)
-      snapshot.fields.emplace_back(field,
-                                   particle_array(model, row, field_name(field), field_components(field).size()));
+      snapshot.fields.emplace_back(
+          field, particle_array(model, row, field_name(field), field_components(field, model.dimension).size()));
   return snapshot;
 }
 
