@@ -83,14 +83,16 @@ void ProgressDisplay::job(const v1::Job& job) {
   if (lost_) line("connected again");
   lost_ = false;
   scene_ = job.scene_name();
+  told_ = job.last_sequence();
   enter(job.state());
   if (job.has_progress() && job.state() == v1::RUNNING) show(job.progress());
   if (has_ended(job.state())) clear();
 }
 
 void ProgressDisplay::event(const v1::Event& event) {
-  if (event.has_state()) enter(event.state());
-  if (event.has_progress()) show(event.progress());
+  const bool is_news = event.sequence() > told_;
+  if (event.has_state() && is_news) enter(event.state());
+  if (event.has_progress() && is_news) show(event.progress());
   if (event.kind_case() == v1::Event::kMessage) line(fmt::format("{}: {}", scene_, event.message()));
 }
 

@@ -32,6 +32,7 @@ class ProgressDisplay : public JobListener {
   bool lost_ = false;
   int tenths_ = -1;
   std::string scene_;
+  std::int64_t told_ = 0;  ///< events up to this one led to the state that the job was last in
   v1::JobState state_ = v1::JOB_STATE_UNSPECIFIED;
 };
 
