@@ -93,6 +93,7 @@ struct alignas(64) Scratch {
   BlockArray force[9];         ///< volume times stress over cell size, row by row
   BlockArray virial_rest;      ///< axisymmetric: volume times hoop stress
   BlockArray load[3];          ///< acceleration by loads
+  double deform_share = 1;     ///< of the step's drift by which laws deform
   double* window = nullptr;    ///< what the nodes around hold, one array of window_nodes per quantity
   double* stencils = nullptr;  ///< weights that are no products, if the shape functions need them
   Trouble trouble;

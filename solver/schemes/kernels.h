@@ -28,7 +28,7 @@ struct LawKernels {
   std::unique_ptr<const void, void (*)(const void*)> (*make)(const double* parameters, Dimension dimension);
   bool rate_form;
   Stage force;   ///< state of the particles -> scratch.force
-  Stage deform;  ///< scratch.gradient, sweep.drift -> state of the particles
+  Stage deform;  ///< scratch.gradient, sweep.drift, scratch.deform_share -> state of the particles
   /// Cauchy stress of the block into four arrays xx, yy, xy, zz.
   void (*stress)(const Block&, double* const* out);
   Measurement measure;  ///< strain energy and wave speed
@@ -48,6 +48,7 @@ struct NodeBlock {
   double damping = 0;               ///< force per momentum
   double least_mass = 0;            ///< nodes with less do not move
   double light_mass = 0;            ///< nodes with less are spared internal forces in gradients
+  bool collect_mass = false;        ///< where velocities are mapped: mass as well
   NodeSums* collected = nullptr;    ///< working memory
   double work = 0, dissipated = 0;  ///< results
 };
@@ -55,12 +56,14 @@ struct NodeBlock {
 /// What depends on the shape functions and the dimension.
 struct TransferKernels {
   Layout layout;
-  int window_copies;  ///< arrays that a window needs for one quantity
+  int window_copies;       ///< arrays that a window needs for one quantity
+  int stencil_doubles;     ///< that a block needs for weights that are no products
+  bool needs_deformation;  ///< particles must know their deformation gradient
   Stage locate;
   Stage scatter_state;  ///< mass, momentum and internal force
   Stage scatter_hoop;   ///< axisymmetric: the hoop stress's force
-  Stage scatter_loads, scatter_momentum;
-  Stage gather_acceleration, gather_velocity;
+  Stage scatter_loads, scatter_mass, scatter_momentum;
+  Stage gather_acceleration, gather_velocity, gather_gradient;
   Stage gather_motion;  ///< velocity, and the gradient of the mapped one
   Stage gather_hoop;    ///< axisymmetric: hoop strain rate
   void (*update_velocities)(NodeBlock&);

@@ -59,7 +59,7 @@ struct LawStages {
     Scratch& scratch = *block.scratch;
     const State s(block);
     const Law material = law(block);
-    const double dt = block.sweep->drift;
+    const double dt = block.scratch->deform_share * block.sweep->drift;
     const double *gxx = scratch.gradient[0].data(), *gxy = scratch.gradient[1].data();
     const double *gyx = scratch.gradient[2].data(), *gyy = scratch.gradient[3].data();
     std::int64_t inverted = 0;

@@ -13,6 +13,7 @@ struct CubicBspline {
   static constexpr int nodes = 4;
   static constexpr bool wide = true;
   static constexpr bool folds = true;
+  static constexpr bool needs_deformation = false;
 
   static int first_node(double at) { return static_cast<int>(at) - 1; }
   /// p is between 1 and 2.

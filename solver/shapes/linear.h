@@ -13,6 +13,7 @@ struct Linear {
   static constexpr int nodes = 2;
   static constexpr bool wide = false;
   static constexpr bool folds = false;
+  static constexpr bool needs_deformation = false;
 
   static int first_node(double at) { return static_cast<int>(at); }
   static void weigh(double p, double, double (&weight)[2], double (&slope)[2]) {

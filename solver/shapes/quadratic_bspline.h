@@ -13,6 +13,7 @@ struct QuadraticBspline {
   static constexpr int nodes = 3;
   static constexpr bool wide = true;
   static constexpr bool folds = true;
+  static constexpr bool needs_deformation = false;
 
   static int first_node(double at) { return static_cast<int>(at - 0.5); }
   /// p is between 1/2 and 3/2.

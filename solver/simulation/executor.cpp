@@ -12,6 +12,10 @@ namespace {
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
 constexpr double least_mass_share = 1e-12;
 
+/// Of the step's drift by which laws deform.
+void take_half(Block& block) { block.scratch->deform_share = 0.5; }
+void take_whole(Block& block) { block.scratch->deform_share = 1; }
+
 }  // namespace
 
 /// A chain of passes, resolved to stages for every body.
@@ -53,6 +57,8 @@ Executor::Executor(const Model& model, int threads)
     collected_.push_back(std::make_unique<NodeSums>());
     windows_.emplace_back(window, 0.0);
     scratch_.back()->window = windows_.back().data();
+    stencils_.emplace_back(static_cast<std::size_t>(transfer_.stencil_doubles), 0.0);
+    scratch_.back()->stencils = stencils_.back().data();
   }
 }
 
@@ -83,7 +89,7 @@ void Executor::for_each_tile(Of&& of) {
 
 void Executor::particles(std::initializer_list<Pass> passes) {
   for (Pass pass : passes) {
-    if (pass == Pass::gather_motion) loads_.advect(tiles_, bodies_, times_.drift);
+    if (pass == Pass::move || pass == Pass::displace) loads_.advect(tiles_, bodies_, times_.drift);
     noted_.push_back(pass);
   }
 }
@@ -119,6 +125,14 @@ std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) con
       return {motion_.kick};
     case Pass::scatter_momentum:
       return {transfer_.scatter_momentum};
+    case Pass::scatter_motion:
+      return {transfer_.scatter_mass, transfer_.scatter_momentum};
+    case Pass::gather_velocity:
+      return {transfer_.gather_velocity};
+    case Pass::gather_gradient:
+      stages = {transfer_.gather_gradient};
+      if (hoop) stages.push_back(transfer_.gather_hoop);
+      return stages;
     case Pass::gather_motion:
       stages = {transfer_.gather_motion};
       if (hoop) stages.push_back(transfer_.gather_hoop);
@@ -129,6 +143,8 @@ std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) con
       return {motion_.displace};
     case Pass::deform:
       return {body.law->deform};
+    case Pass::deform_by_half:
+      return {take_half, body.law->deform, take_whole};
   }
   return stages;
 }
@@ -139,6 +155,10 @@ unsigned Executor::gathered(Pass pass) const {
   switch (pass) {
     case Pass::gather_acceleration:
       return bits(node_acceleration) | (sweep_.flip < 1 ? bits(node_velocity) : 0u);
+    case Pass::gather_velocity:
+      return bits(node_velocity);
+    case Pass::gather_gradient:
+      return bits(node_mapped_velocity);
     case Pass::gather_motion:
       return bits(node_velocity) | bits(node_mapped_velocity);
     default:
@@ -154,6 +174,7 @@ const Executor::Chain& Executor::chain_of(std::span<const Pass> passes) {
   for (Pass pass : passes) {
     chain->mask |= gathered(pass);
     if (pass == Pass::scatter_state) chain->sums = tiles_.sum_quantities();
+    if (pass == Pass::scatter_motion) chain->sums = quantities(1, axes_);
     if (pass == Pass::scatter_momentum) {
       chain->first_sum = quantity(sum_momentum, 0, axes_);
       chain->sums = axes_;
@@ -255,13 +276,14 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   for (double dissipated : tile_dissipated_) dissipated_ += dissipated;
 }
 
-void Executor::map_velocities() {
+void Executor::map_velocities(bool with_mass) {
   finish();
   for_each_tile([&](std::size_t index, std::size_t) {
     NodeBlock block;
     block.nodes = tiles_.nodes(index);
     block.sums = tiles_.sums_around(tiles_.tiles()[index]);
     block.least_mass = least_mass_share * lightest_particle_;
+    block.collect_mass = with_mass;
     transfer_.map_velocities(block);
     conditions_.prescribe_mapped(index, block.nodes);
   });

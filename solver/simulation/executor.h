@@ -23,10 +23,14 @@ enum class Pass {
   update_velocity,      ///< by acceleration, blended with the grid's velocity if the scene says so
   kick,                 ///< by acceleration alone
   scatter_momentum,     ///< to the nodes, a second time
-  gather_motion,        ///< velocity, and the gradient of the one that is for gradients
+  scatter_motion,       ///< mass and momentum alone, of particles that have moved
+  gather_velocity,      ///< of the grid
+  gather_gradient,      ///< of the velocity that is for gradients
+  gather_motion,        ///< both
   move,                 ///< positions
   displace,             ///< displacements, positions being reference ones
-  deform                ///< deformation and stress, by the body's law
+  deform,               ///< deformation and stress, by the body's law
+  deform_by_half        ///< the same for half the step
 };
 
 /// When a kick happens and how far velocities and positions go.
@@ -54,8 +58,8 @@ class Executor {
   /// Accelerations, and velocities after the kick. With `light_node` velocities for gradients as well: the
   /// same, but on nodes of less than this share of the lightest particle's mass without internal forces.
   void update_velocities(const StepTimes& times, double light_node = 0);
-  /// Velocities for gradients, from momenta that were mapped a second time.
-  void map_velocities();
+  /// Velocities for gradients, from momenta that were mapped a second time, or from mass and momentum.
+  void map_velocities(bool with_mass = false);
   /// @}
 
   /// Runs what has been noted; after it particles may be looked at.
@@ -116,7 +120,7 @@ class Executor {
   std::vector<std::unique_ptr<const Chain>> chains_;
   std::vector<std::unique_ptr<Scratch>> scratch_;     ///< by thread
   std::vector<std::unique_ptr<NodeSums>> collected_;  ///< by thread
-  std::vector<AlignedDoubles> windows_;               ///< by thread
+  std::vector<AlignedDoubles> windows_, stencils_;    ///< by thread
   std::vector<std::size_t> shares_;
   std::vector<double> tile_work_, tile_dissipated_;
   std::vector<Totals> tile_totals_;

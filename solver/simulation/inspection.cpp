@@ -108,7 +108,8 @@ std::int64_t Executor::worst_particle() const {
 
 std::size_t Executor::memory() const {
   std::size_t bytes = tiles_.memory() + scratch_.size() * (sizeof(Scratch) + sizeof(NodeSums));
-  for (const AlignedDoubles& window : windows_) bytes += window.capacity() * sizeof(double);
+  for (const auto* arrays : {&windows_, &stencils_})
+    for (const AlignedDoubles& array : *arrays) bytes += array.capacity() * sizeof(double);
   for (const BodyParticles& body : bodies_) {
     bytes += body.number.capacity() * sizeof(std::uint32_t);
     for (const std::vector<double>& array : body.arrays) bytes += array.capacity() * sizeof(double);

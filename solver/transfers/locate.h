@@ -74,10 +74,11 @@ inline void weigh_along(Block& block, int axis) {
   Scratch& s = *block.scratch;
   const double half_size = block.body->half_size[axis];
   const double* place = s.place[axis].data();
+  const double* stretch = block.component(Attribute::deformation_xx, 4 * axis);
 #pragma GCC ivdep
   for (int i = 0; i < block.count; ++i) {
     double weight[Shape::nodes], slope[Shape::nodes];
-    Shape::weigh(place[i], half_size, weight, slope);
+    Shape::weigh(place[i], Shape::needs_deformation ? half_size * stretch[i] : half_size, weight, slope);
     for (int n = 0; n < Shape::nodes; ++n) {
       s.weight[axis][n][i] = weight[n];
       s.slope[axis][n][i] = slope[n];

@@ -59,7 +59,8 @@ template <Layout L>
 inline void map_velocities(NodeBlock& block) {
   constexpr int D = L.dimensions;
   alignas(64) double p[tile_nodes];
-  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  double* mass = block.nodes + quantity_mass * tile_nodes;
+  if (block.collect_mass) collect<L>(block.sums, quantity_mass, mass);
   for (int axis = 0; axis < D; ++axis) {
     collect<L>(block.sums, quantity(sum_momentum, axis, D), p);
     double* w = block.nodes + quantity(node_mapped_velocity, axis, D) * tile_nodes;

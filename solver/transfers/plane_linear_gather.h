@@ -66,10 +66,9 @@ inline void gather_velocity_plane_linear(Block& block) {
   gather_plane_linear(block, node_velocity, block.scratch->velocity);
 }
 
-/// Velocity of the grid, and gradient of the one that is for gradients.
-inline void gather_motion_plane_linear(Block& block) {
+/// Gradient of the velocity that is for gradients.
+inline void gather_gradient_plane_linear(Block& block) {
   Scratch& s = *block.scratch;
-  const PlaneLinearValue ux = value_of(s, node_velocity, 0), uy = value_of(s, node_velocity, 1);
   const PlaneLinearValue wx = value_of(s, node_mapped_velocity, 0), wy = value_of(s, node_mapped_velocity, 1);
   const double q = block.sweep->inverse_cell;
   for_each_run(
@@ -78,14 +77,17 @@ inline void gather_motion_plane_linear(Block& block) {
         const double yx = q * wy.dx[k], yy = q * wy.dy[k], yxy = q * wy.dxy[k];
         for (int i = begin; i < end; i += 4) {
           const Four fx = load<Four>(&s.place[0][i]), fy = load<Four>(&s.place[1][i]);
-          interpolate(ux, k, fx, fy, &s.velocity[0][i]);
-          interpolate(uy, k, fx, fy, &s.velocity[1][i]);
           store(&s.gradient[0][i], xx + fy * xxy);
           store(&s.gradient[1][i], xy + fx * xxy);
           store(&s.gradient[2][i], yx + fy * yxy);
           store(&s.gradient[3][i], yy + fx * yxy);
         }
       });
+}
+
+inline void gather_motion_plane_linear(Block& block) {
+  gather_velocity_plane_linear(block);
+  gather_gradient_plane_linear(block);
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

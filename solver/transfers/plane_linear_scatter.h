@@ -54,6 +54,19 @@ inline void scatter_state_plane_linear(Block& block) {
       });
 }
 
+inline void scatter_mass_plane_linear(Block& block) {
+  Scratch& s = *block.scratch;
+  for_each_run(
+      block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {
+        Four weight{};
+        for (int i = begin; i < end; ++i) {
+          const Corners n(s.place[0][i], s.place[1][i]);
+          weight += n.x * n.y;
+        }
+        add_corners(block.sums + k, weight * block.body->mass);
+      });
+}
+
 /// A vector that particles have, times their mass.
 inline void scatter_vector_plane_linear(Block& block, SumVector vector, const double* x, const double* y) {
   Scratch& s = *block.scratch;

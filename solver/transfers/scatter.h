@@ -38,6 +38,18 @@ inline void scatter_state(Block& block) {
   }
 }
 
+template <class Stencil, Layout L>
+inline void scatter_mass(Block& block) {
+  using Row = typename Stencil::Row;
+  for (int i = 0; i < block.count; ++i) {
+    const double mass = block.mass(i);
+    double* sums = block.sums + block.scratch->cell[i];
+    Stencil(*block.scratch, i).for_each_row([&](int at, Row w, const Row*) __attribute__((always_inline)) {
+      add(sums + at, w * mass);
+    });
+  }
+}
+
 /// A vector that particles of mass m have, times m.
 template <class Stencil, Layout L, class Value>
 __attribute__((always_inline)) inline void scatter_vector(Block& block, SumVector vector, Value&& value) {

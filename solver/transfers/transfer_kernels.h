@@ -9,16 +9,20 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L>>
+template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L>, Stage Locate = &locate<Shape, L>>
 inline constexpr TransferKernels transfer_kernels{L,
                                                   1,
-                                                  &locate<Shape, L>,
+                                                  0,
+                                                  Shape::needs_deformation,
+                                                  Locate,
                                                   &scatter_state<Stencil, L>,
                                                   &scatter_hoop<Stencil, L>,
                                                   &scatter_loads<Stencil, L>,
+                                                  &scatter_mass<Stencil, L>,
                                                   &scatter_momentum<Stencil, L>,
                                                   &gather_acceleration<Stencil, L>,
                                                   &gather_velocity<Stencil, L>,
+                                                  &gather_gradient<Stencil, L>,
                                                   &gather_motion<Stencil, L>,
                                                   &gather_hoop<Stencil, L>,
                                                   &update_velocities<L>,

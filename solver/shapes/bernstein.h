@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+
+#include "solver/executors/instruction_set.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Quadratic Bernstein polynomials (de Vaucorbeil, Nguyen and Hutchinson 2020) on elements of two cells along
+/// each axis, so that control points lie on the nodes of the grid.
+struct Bernstein {
+  static constexpr std::string_view name = "bernstein";
+  static constexpr int nodes = 3;
+  static constexpr bool wide = true;
+  static constexpr bool folds = false;
+  static constexpr bool needs_deformation = false;
+
+  /// Windows begin two nodes before their tile, and tiles at even nodes.
+  static int first_node(double at) { return 2 * static_cast<int>(0.5 * at); }
+  static void weigh(double p, double, double (&weight)[3], double (&slope)[3]) {
+    const double s = 0.5 * p, r = 1 - s;
+    weight[0] = r * r;
+    weight[1] = 2 * r * s;
+    weight[2] = s * s;
+    slope[0] = -r;
+    slope[1] = r - s;
+    slope[2] = s;
+  }
+};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "solver/executors/instruction_set.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Piecewise linear functions averaged over the particle's domain, along one axis: the weight of a node at the
+/// distance p - n is (H(p - n + l) - H(p - n - l)) / (2 l), H the integral of the hat function and l the half
+/// size of the particle in cells (Bardenhagen and Kober 2004, eq. 20 ff. in closed form for any l).
+template <int Nodes>
+inline void average_hats(double p, double half_size, double (&weight)[Nodes], double (&slope)[Nodes]) {
+  const double factor = 0.5 / half_size;
+  for (int n = 0; n < Nodes; ++n) {
+    const double from = p - n - half_size, to = p - n + half_size;
+    const double a = from < -1 ? -1 : from > 1 ? 1 : from;
+    const double b = to < -1 ? -1 : to > 1 ? 1 : to;
+    const double size_a = a < 0 ? -a : a, size_b = b < 0 ? -b : b;
+    weight[n] = factor * ((b - a) - 0.5 * (b * size_b - a * size_a));
+    slope[n] = factor * (size_a - size_b);
+  }
+}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

@@ -1,0 +1,214 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "solver/schemes/kernels.h"
+#include "solver/schemes/scheme.h"
+
+/// Every kind of shape functions in every dimension, by what particles gather from and scatter to one tile.
+namespace trajan {
+namespace {
+
+constexpr double cell = 0.25;
+/// Sums of at most 64 products of weights that add up to one, with node values below 100 and derivatives that
+/// divide by a domain of at least a fiftieth of a cell.
+constexpr double rounding = 1e-11;
+
+struct Case {
+  std::string shape;
+  Dimension dimension;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (std::string_view shape : shape_names())
+    for (Dimension d : {Dimension::bar, Dimension::plane_strain, Dimension::axisymmetric, Dimension::solid})
+      all.push_back({std::string(shape), d});
+  return all;
+}
+
+/// One tile in the corner of the domain, or in its middle, with particles at random places in it.
+class TileOfParticles {
+ public:
+  static constexpr int count = 100;
+
+  TileOfParticles(const Case& c, bool at_faces)
+      : axes(grid_axes(c.dimension)), kernels(*trajan::kernels().transfer(c.shape, c.dimension)) {
+    const Layout& layout = kernels.layout;
+    sweep.cell = cell;
+    sweep.inverse_cell = 1 / cell;
+    for (int axis = 0; axis < axes; ++axis) {
+      tile_at[axis] = at_faces ? 0 : 3;
+      sweep.origin[axis] = 1.5 + axis;
+      // With a single tile between the faces both of them fold.
+      sweep.faces[axis] = at_faces ? layout.side : 100 * layout.side;
+      body.half_size[axis] = 0.25;
+      block.window_first[axis] = tile_at[axis] * layout.side - 1;
+      block.lowest[axis] = at_faces ? 1 : 0;
+      block.highest[axis] = at_faces ? layout.side : layout.side + 1;
+    }
+    fill();
+    scratch.cell[0] = 0;
+    window.assign(
+        static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.window_copies * layout.window_nodes),
+        0.0);
+    stencils.assign(static_cast<std::size_t>(kernels.stencil_doubles), 0.0);
+    sums.assign(static_cast<std::size_t>(quantities(sum_vectors, axes) * layout.window_nodes), 0.0);
+    scratch.window = window.data();
+    scratch.stencils = stencils.data();
+    block.count = count;
+    block.body = &body;
+    block.sweep = &sweep;
+    block.sums = sums.data();
+    block.scratch = &scratch;
+    kernels.locate(block);
+  }
+
+  double x(int axis, int i) const { return block.component(Attribute::position_x, axis)[i]; }
+  /// Position of a node along an axis.
+  double node_x(int axis, int from_tile) const {
+    return sweep.origin[axis] + cell * (tile_at[axis] * kernels.layout.side + from_tile);
+  }
+  /// A linear field of position, one per quantity.
+  double field(int which, const double* at) const {
+    double value = 3 + which;
+    for (int axis = 0; axis < axes; ++axis) value += slope(which, axis) * at[axis];
+    return value;
+  }
+  static double slope(int which, int axis) { return 1.5 * which - 2 + axis; }
+
+  void load_linear_fields() {
+    const Layout& layout = kernels.layout;
+    std::vector<std::vector<double>> nodes(static_cast<std::size_t>(layout.neighbours));
+    Neighbours around{};
+    for (int n = 0; n < layout.neighbours; ++n) {
+      std::vector<double>& values = nodes[static_cast<std::size_t>(n)];
+      values.resize(static_cast<std::size_t>(quantities(node_vectors, axes) * tile_nodes));
+      for (int node = 0; node < tile_nodes; ++node) {
+        double at[3] = {};
+        for (int axis = 0, rest = n; axis < axes; ++axis, rest /= 3)
+          at[axis] = node_x(axis, (rest % 3 - 1) * layout.side + node / layout.tile_stride(axis) % layout.side);
+        for (int q = 0; q < quantities(node_vectors, axes); ++q)
+          values[static_cast<std::size_t>(q * tile_nodes + node)] = field(q, at);
+      }
+      around[n] = values.data();
+    }
+    kernels.load_window(scratch.window, around, ~0u >> (32 - quantities(node_vectors, axes)));
+  }
+
+  int axes;
+  const TransferKernels& kernels;
+  int tile_at[3] = {};
+  SweepConstants sweep;
+  BodyConstants body;
+  Scratch scratch;
+  Block block;
+  AlignedDoubles window, stencils, sums;
+  std::vector<std::vector<double>> arrays;
+
+ private:
+  void fill() {
+    arrays.assign(attribute_count, std::vector<double>(count, 0.0));
+    for (int a = 0; a < attribute_count; ++a)
+      block.arrays[static_cast<std::size_t>(a)] = arrays[static_cast<std::size_t>(a)].data();
+    block.arrays[static_cast<int>(Attribute::reference_volume)] = nullptr;
+    body.mass = 2;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> anywhere(0, 1), little(-0.2, 0.2);
+    for (int i = 0; i < count; ++i) {
+      for (int axis = 0; axis < axes; ++axis) {
+        const double lowest = block.lowest[axis], highest = block.highest[axis] + 1;
+        double place = lowest + (highest - lowest) * anywhere(random);
+        if (i == 0) place = lowest;
+        if (i == 1) place = lowest + 1e-9;
+        if (i == 2) place = highest - 1e-9;
+        if (i == 3) place = lowest + 0.5;
+        block.component(Attribute::position_x, axis)[i] =
+            sweep.origin[axis] + cell * (block.window_first[axis] + place);
+        block.component(Attribute::velocity_x, axis)[i] = axis - 0.5;
+      }
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+          block.component(Attribute::deformation_xx, 3 * a + b)[i] = (a == b ? 1.0 : 0.0) + little(random);
+      for (int ab = 0; ab < 9; ++ab) scratch.force[ab][i] = little(random);
+    }
+  }
+};
+
+class Shape : public testing::TestWithParam<std::tuple<Case, bool>> {
+ protected:
+  TileOfParticles tile{std::get<0>(GetParam()), std::get<1>(GetParam())};
+};
+
+TEST_P(Shape, GathersLinearFieldsExactly) {
+  tile.load_linear_fields();
+  tile.kernels.gather_acceleration(tile.block);
+  tile.kernels.gather_motion(tile.block);
+  for (int i = 0; i < tile.count; ++i) {
+    double at[3] = {};
+    for (int axis = 0; axis < tile.axes; ++axis) at[axis] = tile.x(axis, i);
+    for (int a = 0; a < tile.axes; ++a) {
+      EXPECT_NEAR(tile.scratch.acceleration[a][i], tile.field(quantity(node_acceleration, a, tile.axes), at),
+                  rounding);
+      EXPECT_NEAR(tile.scratch.velocity[a][i], tile.field(quantity(node_velocity, a, tile.axes), at), rounding);
+      for (int b = 0; b < tile.axes; ++b)
+        EXPECT_NEAR(tile.scratch.gradient[a * tile.axes + b][i],
+                    tile.slope(quantity(node_mapped_velocity, a, tile.axes), b), rounding / cell)
+            << "particle " << i << ", component " << a << ", derivative " << b;
+    }
+  }
+  EXPECT_EQ(tile.scratch.trouble.left_window, 0);
+}
+
+/// Mass and its centre, momentum, and forces that are in balance: their sum is none, their virial the particles'.
+TEST_P(Shape, ScattersMassCentreMomentumAndVirial) {
+  tile.kernels.scatter_state(tile.block);
+  const Layout& layout = tile.kernels.layout;
+  const int axes = tile.axes;
+  double mass = 0, centre[3] = {}, momentum[3] = {}, force[3] = {}, virial[9] = {};
+  for (int node = 0; node < std::pow(layout.window_side, axes); ++node) {
+    double at[3] = {};
+    for (int axis = 0; axis < axes; ++axis)
+      at[axis] = tile.node_x(axis, node / layout.window_stride(axis) % layout.window_side - layout.below);
+    const auto sum = [&](int which) {
+      return tile.sums[static_cast<std::size_t>(which * layout.window_nodes + node)];
+    };
+    mass += sum(quantity_mass);
+    for (int a = 0; a < axes; ++a) {
+      centre[a] += sum(quantity_mass) * at[a];
+      momentum[a] += sum(quantity(sum_momentum, a, axes));
+      force[a] += sum(quantity(sum_force, a, axes));
+      for (int b = 0; b < axes; ++b) virial[3 * a + b] -= sum(quantity(sum_force, a, axes)) * at[b];
+    }
+  }
+  const double total = 2.0 * tile.count;
+  EXPECT_NEAR(mass, total, rounding * total);
+  for (int a = 0; a < axes; ++a) {
+    double expected_centre = 0, expected_momentum = 0;
+    for (int i = 0; i < tile.count; ++i) {
+      expected_centre += 2 * tile.x(a, i);
+      expected_momentum += 2 * tile.block.component(Attribute::velocity_x, a)[i];
+    }
+    EXPECT_NEAR(centre[a], expected_centre, rounding * total * 100);
+    EXPECT_NEAR(momentum[a], expected_momentum, rounding * total);
+    EXPECT_NEAR(force[a], 0, rounding * total);
+    for (int b = 0; b < axes; ++b) {
+      double expected = 0;
+      // Forces were given over the cell size.
+      for (int i = 0; i < tile.count; ++i) expected += cell * tile.scratch.force[a * axes + b][i];
+      EXPECT_NEAR(virial[3 * a + b], expected, rounding * total * 100);
+    }
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<std::tuple<Case, bool>>& tested) {
+  static const char* const names[] = {"", "Bar", "PlaneStress", "PlaneStrain", "Axisymmetric", "Solid"};
+  const Case& c = std::get<0>(tested.param);
+  return c.shape + names[static_cast<int>(c.dimension)] + (std::get<1>(tested.param) ? "AtFaces" : "Inside");
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, Shape, testing::Combine(testing::ValuesIn(cases()), testing::Bool()), name_of);
+
+}  // namespace
+}  // namespace trajan
