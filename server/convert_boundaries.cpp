@@ -9,6 +9,8 @@ Axis to_axis(int value) {
       return Axis::x;
     case v1::Fixed::Y:
       return Axis::y;
+    case v1::Fixed::Z:
+      return Axis::z;
     default:
       return Axis::unspecified;
   }

@@ -5,10 +5,16 @@ namespace {
 
 Dimension to_dimension(v1::Domain::Dimension value) {
   switch (value) {
+    case v1::Domain::BAR:
+      return Dimension::bar;
     case v1::Domain::PLANE_STRESS:
       return Dimension::plane_stress;
     case v1::Domain::PLANE_STRAIN:
       return Dimension::plane_strain;
+    case v1::Domain::AXISYMMETRIC:
+      return Dimension::axisymmetric;
+    case v1::Domain::SOLID:
+      return Dimension::solid;
     default:
       return Dimension::unspecified;
   }
@@ -16,12 +22,13 @@ Dimension to_dimension(v1::Domain::Dimension value) {
 
 }  // namespace
 
-Vector to_vector(const v1::Vector& message) { return {message.x(), message.y()}; }
+Vector to_vector(const v1::Vector& message) { return {message.x(), message.y(), message.z()}; }
 
 VectorExpression to_vector_expression(const v1::VectorExpression& message) {
   VectorExpression expression;
   if (message.has_x()) expression.x = message.x();
   if (message.has_y()) expression.y = message.y();
+  if (message.has_z()) expression.z = message.z();
   return expression;
 }
 
@@ -44,6 +51,7 @@ Domain to_domain(const v1::Domain& message) {
   domain.upper = to_vector(message.upper());
   domain.cell_size = message.cell_size();
   if (message.has_thickness()) domain.thickness = message.thickness();
+  if (message.has_cross_section()) domain.cross_section = message.cross_section();
   return domain;
 }
 

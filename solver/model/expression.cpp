@@ -121,7 +121,7 @@ struct Expression::Parser {
   std::string text;
   std::string variables;
   Constants constants;  ///< those that the formula uses
-  double x = 0, y = 0, t = 0;
+  double x = 0, y = 0, z = 0, t = 0;
   mu::Parser parser;
 
   Parser(const std::string& formula, const std::string& allowed, const Constants& all)
@@ -131,6 +131,7 @@ struct Expression::Parser {
     parser.DefineConst("pi", std::numbers::pi);
     if (contains(variables, 'x')) parser.DefineVar("x", &x);
     if (contains(variables, 'y')) parser.DefineVar("y", &y);
+    if (contains(variables, 'z')) parser.DefineVar("z", &z);
     if (contains(variables, 't')) parser.DefineVar("t", &t);
     for (const Identifier& identifier : identifiers(text)) define(identifier, all);
     compile();
@@ -171,9 +172,10 @@ Expression& Expression::operator=(Expression other) noexcept {
   return *this;
 }
 
-double Expression::operator()(double x, double y, double t) const {
-  parser_->x = x;
-  parser_->y = y;
+double Expression::operator()(Vector at, double t) const {
+  parser_->x = at.x;
+  parser_->y = at.y;
+  parser_->z = at.z;
   parser_->t = t;
   try {
     return parser_->parser.Eval();

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "solver/scene/geometry.h"
+
 namespace trajan {
 
 /// Values that expressions may use by name.
@@ -22,14 +24,14 @@ class FormulaError : public std::invalid_argument {
   std::string remedy_;
 };
 
-/// A formula of x, y and t in muParser syntax, `pi` and the scene's constants included. Copies share
+/// A formula of x, y, z and t in muParser syntax, `pi` and the scene's constants included. Copies share
 /// nothing that changes; one object must not be evaluated by two threads at once.
 class Expression {
  public:
   static constexpr std::size_t longest = 1024;  ///< characters; muParser takes time with their square
   static constexpr int deepest = 64;            ///< nested parentheses and conditions
 
-  /// `variables`: the letters of "xyt" that the formula may use.
+  /// `variables`: the letters of "xyzt" that the formula may use.
   /// Throws FormulaError.
   Expression(const std::string& text, const std::string& variables, const Constants& constants);
   Expression(const Expression& other);
@@ -38,7 +40,8 @@ class Expression {
   ~Expression();
 
   /// Not finite where the formula is not defined; never throws.
-  double operator()(double x, double y, double t) const;
+  double operator()(Vector at, double t) const;
+  double operator()(double x, double y, double t) const { return (*this)(Vector{x, y}, t); }
   const std::string& text() const;
 
  private:

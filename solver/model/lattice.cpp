@@ -13,15 +13,17 @@ constexpr double rim = 1e-9;
 
 double points_along(double length, double spacing) { return std::max(1.0, std::round(length / spacing)); }
 
-Lattice fill(const Box& box, Vector, double spacing) {
-  const double width = box.upper.x - box.lower.x;
-  const double height = box.upper.y - box.lower.y;
+Lattice fill(const Box& box, double spacing, int axes) {
   Lattice lattice;
-  lattice.columns = static_cast<std::int64_t>(points_along(width, spacing));
-  lattice.rows = static_cast<std::int64_t>(points_along(height, spacing));
-  lattice.spacing = {width / static_cast<double>(lattice.columns), height / static_cast<double>(lattice.rows)};
-  lattice.first = {box.lower.x + lattice.spacing.x / 2, box.lower.y + lattice.spacing.y / 2};
   lattice.geometry = box;
+  const auto along = [spacing](double lower, double upper, std::int64_t& points, double& step, double& first) {
+    points = static_cast<std::int64_t>(points_along(upper - lower, spacing));
+    step = (upper - lower) / static_cast<double>(points);
+    first = lower + step / 2;
+  };
+  along(box.lower.x, box.upper.x, lattice.columns, lattice.spacing.x, lattice.first.x);
+  if (axes > 1) along(box.lower.y, box.upper.y, lattice.rows, lattice.spacing.y, lattice.first.y);
+  if (axes > 2) along(box.lower.z, box.upper.z, lattice.planes, lattice.spacing.z, lattice.first.z);
   return lattice;
 }
 
@@ -61,25 +63,36 @@ Lattice::Range Lattice::columns_in_row(std::int64_t row) const {
 }
 
 std::int64_t Lattice::count() const {
-  if (!std::holds_alternative<Disc>(geometry)) return columns * rows;
+  if (!std::holds_alternative<Disc>(geometry)) return columns * row_count();
   std::int64_t points = 0;
-  for (std::int64_t row = 0; row < rows; ++row) {
+  for (std::int64_t row = 0; row < row_count(); ++row) {
     const Range range = columns_in_row(row);
     points += range.end - range.begin;
   }
   return points;
 }
 
-Lattice make_lattice(const Region& geometry, Vector grid_origin, double cell, int particles_per_cell_side) {
+Vector Lattice::point_of(std::int64_t number) const {
+  std::int64_t row = 0;
+  Range range = columns_in_row(row);
+  for (; number >= range.end - range.begin; range = columns_in_row(++row)) number -= range.end - range.begin;
+  return point(range.begin + number, row);
+}
+
+Lattice make_lattice(const Region& geometry, Vector grid_origin, double cell, int particles_per_cell_side,
+                     int axes) {
   const double spacing = cell / particles_per_cell_side;
-  if (const Box* box = std::get_if<Box>(&geometry)) return fill(*box, grid_origin, spacing);
+  if (const Box* box = std::get_if<Box>(&geometry)) return fill(*box, spacing, axes);
   return fill(std::get<Disc>(geometry), grid_origin, spacing);
 }
 
-double estimated_points(const Region& geometry, double cell, int particles_per_cell_side) {
+double estimated_points(const Region& geometry, double cell, int particles_per_cell_side, int axes) {
   const double spacing = cell / particles_per_cell_side;
   if (const Box* box = std::get_if<Box>(&geometry)) {
-    return points_along(box->upper.x - box->lower.x, spacing) * points_along(box->upper.y - box->lower.y, spacing);
+    double points = points_along(box->upper.x - box->lower.x, spacing);
+    if (axes > 1) points *= points_along(box->upper.y - box->lower.y, spacing);
+    if (axes > 2) points *= points_along(box->upper.z - box->lower.z, spacing);
+    return points;
   }
   const double radius = std::get<Disc>(geometry).radius / spacing;
   return std::numbers::pi * radius * radius;

@@ -17,7 +17,8 @@
 /// reads it checks again. It is never changed, and bodies are lattices that the Simulation fills.
 namespace trajan {
 
-/// The background grid: nodes at origin + cell * (i, j), 0 <= i <= cells_x, 0 <= j <= cells_y.
+/// The background grid: nodes at origin + cell * (i, j, k), 0 <= i <= cells_x, 0 <= j <= cells_y,
+/// 0 <= k <= cells_z; along an axis that the dimension does not have there are no cells.
 struct Grid {
   Vector origin;
   double cell = 0;
@@ -41,15 +42,17 @@ struct Body {
   Lattice lattice;
   std::int64_t first_particle = 0;
   std::int64_t particles = 0;
-  double particle_volume = 0;            ///< reference volume of each particle, thickness included
-  std::optional<Expression> velocity_x;  ///< of x, y; empty: 0
+  /// Reference volume of each particle, thickness or cross-section included; in an axisymmetric scene the
+  /// area, to be multiplied by the particle's radius.
+  double particle_volume = 0;
+  std::optional<Expression> velocity_x;  ///< of the position; empty: 0
   std::optional<Expression> velocity_y;
   std::optional<Expression> velocity_z;
 };
 
 /// Nodes i0 <= i <= i1, j0 <= j <= j1, k0 <= k <= k1, and within the disc if there is one.
 struct NodeRegion {
-  std::int64_t i0 = 0, i1 = -1, j0 = 0, j1 = -1, k0 = 0, k1 = 0;
+  std::int64_t i0 = 0, i1 = -1, j0 = 0, j1 = -1, k0 = 0, k1 = -1;
   std::optional<Disc> disc;
 };
 
@@ -120,7 +123,7 @@ class Model {
  public:
   std::string name, description, units;
   Dimension dimension = Dimension::unspecified;
-  double thickness = 1;
+  double thickness = 1;  ///< in a bar the area of its cross-section, axisymmetric and solid 1
   Grid grid;
   std::vector<Material> materials;
   std::vector<Body> bodies;

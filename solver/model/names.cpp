@@ -88,9 +88,12 @@ std::string number_text(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-std::string point_text(Vector point) {
+std::string point_text(Vector point, int axes) {
   std::string text = "(";
-  return text.append(number_text(point.x)).append(", ").append(number_text(point.y)).append(")");
+  text.append(number_text(point.x));
+  if (axes > 1) text.append(", ").append(number_text(point.y));
+  if (axes > 2) text.append(", ").append(number_text(point.z));
+  return text.append(")");
 }
 
 std::string list_of(std::span<const std::string> names) {

@@ -27,8 +27,8 @@ std::string plural(const std::string& noun);
 /// The shortest decimal number that reads back as `value`.
 std::string number_text(double value);
 
-/// "(1, 2.5)"
-std::string point_text(Vector point);
+/// "(1, 2.5)"; the first `axes` components.
+std::string point_text(Vector point, int axes);
 
 /// "a, b, c", for messages; the first twenty.
 std::string list_of(std::span<const std::string> names);

@@ -16,33 +16,41 @@ Box bounds(const Region& region) {
           {disc.centre.x + disc.radius, disc.centre.y + disc.radius}};
 }
 
-std::string box_text(const Box& box) { return point_text(box.lower) + " to " + point_text(box.upper); }
+Box grid_box(const Grid& grid) {
+  return {grid.origin,
+          {grid.origin.x + static_cast<double>(grid.cells_x) * grid.cell,
+           grid.origin.y + static_cast<double>(grid.cells_y) * grid.cell,
+           grid.origin.z + static_cast<double>(grid.cells_z) * grid.cell}};
+}
 
-double particle_volume(const Lattice& lattice, double thickness) {
-  if (const Box* box = std::get_if<Box>(&lattice.geometry)) {
-    const double area = (box->upper.x - box->lower.x) * (box->upper.y - box->lower.y);
-    return area / static_cast<double>(lattice.columns * lattice.rows) * thickness;
-  }
-  return lattice.spacing.x * lattice.spacing.y * thickness;
+double particle_volume(const Lattice& lattice, int axes, double thickness) {
+  double volume = lattice.spacing.x * thickness;
+  if (axes > 1) volume *= lattice.spacing.y;
+  if (axes > 2) volume *= lattice.spacing.z;
+  return volume;
 }
 
 }  // namespace
 
+std::string Validator::box_text(const Box& box) const {
+  return point_text(box.lower, axes()) + " to " + point_text(box.upper, axes());
+}
+
 bool Validator::check_region(const std::string& path, const Region& region, bool solid) {
   if (const Box* box = std::get_if<Box>(&region)) {
-    bool good = violations_.finite(path + ".box.lower", box->lower);
-    good = violations_.finite(path + ".box.upper", box->upper) && good;
-    if (!good) return false;
-    const double width = box->upper.x - box->lower.x, height = box->upper.y - box->lower.y;
-    if (solid ? width > 0 && height > 0 : width >= 0 && height >= 0) return true;
-    return violations_.add(
-        path + ".box.upper", point_text(box->upper),
-        "not above and to the right of lower, " + point_text(box->lower),
-        solid ? "give upper.x > lower.x and upper.y > lower.y" : "give upper.x >= lower.x and upper.y >= lower.y");
+    const bool lower = check_vector(path + ".box.lower", box->lower);
+    if (!check_vector(path + ".box.upper", box->upper) || !lower) return false;
+    if (is_above(box->lower, box->upper, solid)) return true;
+    return violations_.add(path + ".box.upper", point_text(box->upper, axes()),
+                           "not above lower, " + point_text(box->lower, axes()),
+                           std::string("give ") + (solid ? "larger" : "no smaller") +
+                               " coordinates than those of lower along every axis");
   }
   if (const Disc* disc = std::get_if<Disc>(&region)) {
-    const bool centre = violations_.finite(path + ".disc.centre", disc->centre);
-    return violations_.positive(path + ".disc.radius", disc->radius) && centre;
+    const bool centre = check_vector(path + ".disc.centre", disc->centre);
+    const bool radius = violations_.positive(path + ".disc.radius", disc->radius);
+    if (axes() != 2) return violations_.add(path + ".disc", "", "discs are shapes of the plane", "give a box");
+    return centre && radius;
   }
   return violations_.add(path, "", "no shape is given", "give a box or a disc");
 }
@@ -71,11 +79,12 @@ bool Validator::check_body(const std::string& path, const BodyDefinition& defini
   const bool geometry = check_region(path + ".geometry", definition.geometry, true);
   const bool filled = side && geometry && grid_complete_ && fill_body(path, definition, body);
   Vector place;
-  if (filled)
-    place = body.lattice.point(body.lattice.columns_in_row(body.lattice.rows / 2).begin, body.lattice.rows / 2);
-  const std::string velocity = path + ".initial_velocity";
-  if (const auto& x = definition.initial_velocity.x) body.velocity_x = formula(velocity + ".x", *x, "xy", place);
-  if (const auto& y = definition.initial_velocity.y) body.velocity_y = formula(velocity + ".y", *y, "xy", place);
+  if (filled) {
+    const std::int64_t middle = body.lattice.row_count() / 2;
+    place = body.lattice.point(body.lattice.columns_in_row(middle).begin, middle);
+  }
+  field(path + ".initial_velocity", definition.initial_velocity, place_variables(), place,
+        {&body.velocity_x, &body.velocity_y, &body.velocity_z});
   return filled;
 }
 
@@ -84,27 +93,26 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
   const Region& geometry = definition.geometry;
   const Box outer = bounds(geometry);
   const double slack = node_tolerance * grid.cell;
-  const Vector upper = {grid.origin.x + static_cast<double>(grid.cells_x) * grid.cell,
-                        grid.origin.y + static_cast<double>(grid.cells_y) * grid.cell};
-  if (outer.lower.x < grid.origin.x - slack || outer.lower.y < grid.origin.y - slack ||
-      outer.upper.x > upper.x + slack || outer.upper.y > upper.y + slack) {
+  const Box domain = grid_box(grid);
+  const Box allowed = {{domain.lower.x - slack, domain.lower.y - slack, domain.lower.z - slack},
+                       {domain.upper.x + slack, domain.upper.y + slack, domain.upper.z + slack}};
+  if (!is_above(allowed.lower, outer.lower, false) || !is_above(outer.upper, allowed.upper, false)) {
     return violations_.add(path + ".geometry", box_text(outer), "the body reaches out of the domain",
-                           "stay within " + box_text({grid.origin, upper}) + " or enlarge the domain");
+                           "stay within " + box_text(domain) + " or enlarge the domain");
   }
-  const double points = estimated_points(geometry, grid.cell, definition.particles_per_cell_side);
+  const double points = estimated_points(geometry, grid.cell, definition.particles_per_cell_side, axes());
   if (!(points + static_cast<double>(body.first_particle) <= most_particles)) {
     return violations_.add(path, number_text(std::round(points)) + " particles", "there are too many particles",
                            "give larger cells or fewer particles per cell: at most 10^9 particles in the scene");
   }
-  body.lattice = make_lattice(geometry, grid.origin, grid.cell, definition.particles_per_cell_side);
+  body.lattice = make_lattice(geometry, grid.origin, grid.cell, definition.particles_per_cell_side, axes());
   body.particles = body.lattice.count();
   if (body.particles == 0) {
     return violations_.add(path + ".geometry", box_text(outer), "the body is so small that no particle lies in it",
                            "give a larger body, smaller cells or more particles per cell");
   }
-  body.particle_volume = particle_volume(body.lattice, model_.thickness);
-  const bool good_thickness = std::isfinite(model_.thickness) && model_.thickness > 0;
-  if (good_thickness && !(std::isfinite(body.particle_volume) && body.particle_volume > 0)) {
+  body.particle_volume = particle_volume(body.lattice, axes(), model_.thickness);
+  if (!(std::isfinite(body.particle_volume) && body.particle_volume > 0)) {
     return violations_.add(path + ".geometry", "particle volume " + number_text(body.particle_volume),
                            "its size gives particles without a finite volume", "give units of less extreme size");
   }

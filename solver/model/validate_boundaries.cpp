@@ -31,12 +31,14 @@ NodeRegion nodes_in(const Grid& grid, const Region& region, double tolerance) {
   nodes.i1 = last(box.upper.x, grid.origin.x, grid.cells_x);
   nodes.j0 = first(box.lower.y, grid.origin.y, grid.cells_y);
   nodes.j1 = last(box.upper.y, grid.origin.y, grid.cells_y);
+  nodes.k0 = first(box.lower.z, grid.origin.z, grid.cells_z);
+  nodes.k1 = last(box.upper.z, grid.origin.z, grid.cells_z);
   return nodes;
 }
 
 /// A disc catches a node if it catches the one that is nearest to its centre.
 bool is_empty(const Grid& grid, const NodeRegion& nodes) {
-  if (nodes.i0 > nodes.i1 || nodes.j0 > nodes.j1) return true;
+  if (nodes.i0 > nodes.i1 || nodes.j0 > nodes.j1 || nodes.k0 > nodes.k1) return true;
   if (!nodes.disc) return false;
   const auto nearest = [&](double coordinate, double origin, std::int64_t cells) {
     const double index =
@@ -64,7 +66,7 @@ void Validator::check_boundary(const std::string& path, const BoundaryDefinition
     condition.nodes = nodes_in(model_.grid, definition.nodes, node_tolerance);
     if (is_empty(model_.grid, condition.nodes)) {
       violations_.add(path + ".nodes", "", "the region catches no node of the grid",
-                      "enlarge the region; nodes lie at domain.lower + cell_size * (i, j)");
+                      "enlarge the region; nodes lie at domain.lower + cell_size * (i, j, k)");
     }
   }
   if (const auto* fixed = std::get_if<Fixed>(&definition.condition)) {
@@ -81,24 +83,33 @@ void Validator::check_condition(const std::string& path, const Fixed& fixed, Nod
   const Expression zero("0", "t", {});
   for (std::size_t i = 0; i < fixed.axes.size(); ++i) {
     if (fixed.axes[i] == Axis::unspecified) {
-      violations_.add(indexed(path + ".axes", i), "", "AXIS_UNSPECIFIED is not an axis", "give X or Y");
+      violations_.add(indexed(path + ".axes", i), "", "AXIS_UNSPECIFIED is not an axis", "give X, Y or Z");
+    } else if (const int axis = static_cast<int>(fixed.axes[i]) - static_cast<int>(Axis::x); axis >= axes()) {
+      no_axis(indexed(path + ".axes", i), axis_names[static_cast<std::size_t>(axis)], axis);
     }
   }
   const auto holds = [&](Axis axis) {
     return fixed.axes.empty() || std::ranges::find(fixed.axes, axis) != fixed.axes.end();
   };
   if (holds(Axis::x)) condition.velocity_x = zero;
-  if (holds(Axis::y)) condition.velocity_y = zero;
+  if (axes() > 1 && holds(Axis::y)) condition.velocity_y = zero;
+  if (axes() > 2 && holds(Axis::z)) condition.velocity_z = zero;
 }
 
 void Validator::check_condition(const std::string& path, const PrescribedVelocity& prescribed,
                                 NodeCondition& condition) {
   const VectorExpression& velocity = prescribed.velocity;
-  if (!velocity.x && !velocity.y) {
-    violations_.add(path + ".velocity", "", "no component is given", "give x, y or both");
+  if (!velocity.x && !velocity.y && !velocity.z) {
+    violations_.add(path + ".velocity", "", "no component is given", "give at least one");
   }
-  if (velocity.x) condition.velocity_x = history_formula(path + ".velocity.x", *velocity.x);
-  if (velocity.y) condition.velocity_y = history_formula(path + ".velocity.y", *velocity.y);
+  const auto component = [&](const std::optional<std::string>& text, int axis, std::optional<Expression>& made) {
+    const std::string place = path + ".velocity." + axis_names[static_cast<std::size_t>(axis)];
+    if (text && axis < axes()) made = history_formula(place, *text);
+    if (text && axis >= axes()) no_axis(place, *text, axis);
+  };
+  component(velocity.x, 0, condition.velocity_x);
+  component(velocity.y, 1, condition.velocity_y);
+  component(velocity.z, 2, condition.velocity_z);
 }
 
 }  // namespace trajan

@@ -73,7 +73,7 @@ void Validator::check_load(const std::string& path, const LoadDefinition& defini
   } else if (const auto* edge = std::get_if<EdgeTraction>(&definition.kind)) {
     model_.surface_loads.push_back({definition.name, load_points(path + ".edge_traction", *edge), time});
   } else if (const auto* body = std::get_if<BodyForce>(&definition.kind)) {
-    violations_.finite(path + ".body_force.acceleration", body->acceleration);
+    check_vector(path + ".body_force.acceleration", body->acceleration);
     model_.body_loads.push_back(
         {definition.name, body->acceleration, loaded_bodies(path + ".body_force", *body), time});
   } else {
@@ -83,15 +83,15 @@ void Validator::check_load(const std::string& path, const LoadDefinition& defini
 
 std::vector<LoadPoint> Validator::load_points(const std::string& path, const PointForce& force) {
   const auto body = find_body(path + ".body", force.body);
-  violations_.finite(path + ".force", force.force);
-  const bool place = violations_.finite(path + ".position", force.position);
+  check_vector(path + ".force", force.force);
+  const bool place = check_vector(path + ".position", force.position);
   if (!place || !body || !is_complete(*body)) return {};
   const Body& carrier = model_.bodies[*body];
   const Vector spacing = carrier.lattice.spacing;
   const double farthest = std::max(spacing.x, spacing.y) * (1 + node_tolerance);
   const double outside = distance_from(carrier.lattice.geometry, force.position);
   if (!(outside <= farthest)) {
-    violations_.add(path + ".position", point_text(force.position),
+    violations_.add(path + ".position", point_text(force.position, axes()),
                     number_text(outside) + " outside of body " + quoted(force.body),
                     "choose a place in the body or at most " + number_text(std::max(spacing.x, spacing.y)) +
                         " (one particle spacing) outside");
@@ -104,7 +104,7 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Poi
 /// third degree, its moment up to the second; for others the error is of fourth order in the spacing.
 std::vector<LoadPoint> Validator::load_points(const std::string& path, const EdgeTraction& traction) {
   const auto body = find_body(path + ".body", traction.body);
-  violations_.finite(path + ".traction", traction.traction);
+  check_vector(path + ".traction", traction.traction);
   if (traction.edge == Edge::unspecified) {
     violations_.add(path + ".edge", "", "not given", "give LEFT, RIGHT, BOTTOM or TOP");
   }
@@ -117,7 +117,7 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Edg
   const bool usable = body && box && is_complete(*body);
   const Vector somewhere = usable ? model_.bodies[*body].lattice.first : Vector{};
   const auto profile =
-      formula(path + ".profile", traction.profile.empty() ? "1" : traction.profile, "xy", somewhere);
+      formula(path + ".profile", traction.profile.empty() ? "1" : traction.profile, place_variables(), somewhere);
   if (!usable || !profile || traction.edge == Edge::unspecified) return {};
 
   const EdgeLine line{model_.bodies[*body], traction.edge};
@@ -132,9 +132,10 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Edg
   for (std::int64_t i = 0; i < line.particles(); ++i) {
     for (const double s : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
       const Vector place = line.place(i, s);
-      const double share = weight * (*profile)(place.x, place.y, 0);
+      const double share = weight * (*profile)(place, 0);
       if (!std::isfinite(share)) {
-        violations_.add(path + ".profile", traction.profile, "the formula is not finite at " + point_text(place),
+        violations_.add(path + ".profile", traction.profile,
+                        "the formula is not finite at " + point_text(place, axes()),
                         "give a formula that is finite along the edge");
         return {};
       }

@@ -87,7 +87,7 @@ void Validator::check_frequency(const std::string& path, const DominantFrequency
 
 void Validator::check_exact(const std::string& path, const MeasureDefinition& definition, Measure& measure) {
   if (!definition.exact.empty()) {
-    if (const auto exact = formula(path + ".exact", definition.exact, "")) measure.exact = (*exact)(0, 0, 0);
+    if (const auto exact = formula(path + ".exact", definition.exact, "")) measure.exact = (*exact)({}, 0);
   }
   measure.tolerance = definition.tolerance;
   if (!definition.tolerance) return;

@@ -113,7 +113,7 @@ void Validator::check_probe(const std::string& path, const ProbeDefinition& defi
 
 std::vector<std::int64_t> Validator::nearest(const std::string& path, Vector place,
                                              const std::vector<std::size_t>& bodies) {
-  if (!violations_.finite(path, place) || bodies.empty()) return {};
+  if (!check_vector(path, place) || bodies.empty()) return {};
   NearestParticle best = nearest_particle(model_.bodies[bodies.front()], place);
   for (const std::size_t body : bodies) {
     const NearestParticle other = nearest_particle(model_.bodies[body], place);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -32,6 +33,7 @@ class Validator {
   void check_head();
   void check_constants();
   void check_domain();
+  void check_extent();
   void check_grid(const std::string& path);
   void check_materials();
   void check_law(const std::string& path, const MaterialDefinition& definition, Material& material);
@@ -39,6 +41,7 @@ class Validator {
   void check_bodies();
   bool check_body(const std::string& path, const BodyDefinition& definition, Body& body);
   bool fill_body(const std::string& path, const BodyDefinition& definition, Body& body);
+  std::string box_text(const Box& box) const;
   void check_boundaries();
   void check_boundary(const std::string& path, const BoundaryDefinition& definition);
   void check_condition(const std::string& path, const Fixed& fixed, NodeCondition& condition);
@@ -51,6 +54,7 @@ class Validator {
   std::optional<TimeFunction> time_function(const std::string& path, const TimeFunctionDefinition& definition);
   void check_analysis();
   void check_numerics();
+  void check_kernels();
   void check_time_step();
   void check_outputs();
   bool check_fields(const std::string& path, const std::vector<Field>& fields);
@@ -65,6 +69,17 @@ class Validator {
   void check_frequency(const std::string& path, const DominantFrequency& frequency);
   void check_exact(const std::string& path, const MeasureDefinition& definition, Measure& measure);
 
+  /// How many axes the dimension has.
+  int axes() const { return grid_axes(model_.dimension); }
+  /// The letters that formulas of a place may use: "x", "xy" or "xyz".
+  std::string place_variables() const;
+  static constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
+  /// Finite, and 0 along axes that the dimension does not have.
+  bool check_vector(const std::string& path, Vector value);
+  /// A component was given that the dimension does not have.
+  void no_axis(const std::string& path, const std::string& value, int axis);
+  /// upper > lower, or at least >= unless `strictly`, along every axis.
+  bool is_above(Vector lower, Vector upper, bool strictly) const;
   /// Whether the list is short enough to be looked at. Checks the names in it as well.
   template <typename Entries>
   bool check_list(const std::string& path, const Entries& entries);
@@ -74,6 +89,9 @@ class Validator {
   /// The formula, if it is right and finite at (at, t).
   std::optional<Expression> formula(const std::string& path, const std::string& text, const std::string& variables,
                                     Vector at = {}, double t = 0);
+  /// Formulas for the components that the dimension has; the others are violations.
+  void field(const std::string& path, const VectorExpression& formulas, const std::string& variables, Vector at,
+             std::array<std::optional<Expression>*, 3> components);
   /// The same for a formula of t at the beginning and at the end of the analysis.
   std::optional<Expression> history_formula(const std::string& path, const std::string& text);
   /// Index of the body of this name; says so if there is none.

@@ -17,12 +17,6 @@ bool Violations::finite(const std::string& path, double value) {
   return std::isfinite(value) || add(path, number_text(value), "not a finite number", "give a finite number");
 }
 
-bool Violations::finite(const std::string& path, Vector value) {
-  const bool x = finite(path + ".x", value.x);
-  const bool y = finite(path + ".y", value.y);
-  return x && y;
-}
-
 bool Violations::positive(const std::string& path, double value) {
   return (std::isfinite(value) && value > 0) ||
          add(path, number_text(value), "must be finite and greater than 0", "give a positive number");

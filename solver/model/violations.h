@@ -18,7 +18,6 @@ class Violations {
   /// Always false.
   bool add(std::string path, std::string value, std::string problem, std::string remedy);
   bool finite(const std::string& path, double value);
-  bool finite(const std::string& path, Vector value);
   /// Finite and > 0.
   bool positive(const std::string& path, double value);
   /// Finite and >= 0.

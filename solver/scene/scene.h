@@ -34,7 +34,8 @@ struct Domain {
   Vector lower;
   Vector upper;
   double cell_size = 0;
-  double thickness = 1;
+  std::optional<double> thickness = {};
+  std::optional<double> cross_section = {};
 };
 
 /// `law` is a name of the registry of materials (empty: none was given), `parameters` its values by the

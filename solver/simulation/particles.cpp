@@ -25,7 +25,7 @@ const LawKernels& law_of(const Model& model, const Body& body) {
 }
 
 double value_or_zero(const std::optional<Expression>& expression, Vector at) {
-  return expression ? (*expression)(at.x, at.y, 0) : 0.0;
+  return expression ? (*expression)(at, 0) : 0.0;
 }
 
 BodyConstants constants_of(const Model& model, const Body& body) {
@@ -41,7 +41,8 @@ BodyConstants constants_of(const Model& model, const Body& body) {
 void fill(BodyParticles& made, const Model& model, const Body& body) {
   const int axes = grid_axes(model.dimension);
   const std::optional<Expression>* velocity[] = {&body.velocity_x, &body.velocity_y, &body.velocity_z};
-  for_each_lattice_point(body, [&](std::uint32_t number, Vector at) {
+  body.lattice.for_each_point([&](std::int64_t point, Vector at) {
+    const auto number = static_cast<std::uint32_t>(point);
     made.number[number] = number;
     const double position[] = {at.x, at.y, at.z};
     for (int axis = 0; axis < axes; ++axis) {
@@ -109,11 +110,7 @@ std::vector<Vector> reference_positions(const Model& model, const std::vector<st
     const auto after = std::upper_bound(model.bodies.begin(), model.bodies.end(), wanted,
                                         [](std::int64_t n, const Body& b) { return n < b.first_particle; });
     const Body& body = *(after - 1);
-    std::int64_t index = wanted - body.first_particle, row = 0;
-    Lattice::Range range = body.lattice.columns_in_row(row);
-    for (; index >= range.end - range.begin; range = body.lattice.columns_in_row(++row))
-      index -= range.end - range.begin;
-    positions.push_back(body.lattice.point(range.begin + index, row));
+    positions.push_back(body.lattice.point_of(wanted - body.first_particle));
   }
   return positions;
 }

@@ -38,17 +38,6 @@ struct AttributeNeed {
 std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t body);
 std::string_view attribute_name(Attribute attribute);
 
-/// Calls visit(number within the body, reference position) for all particles of a body, in order.
-template <class Visit>
-void for_each_lattice_point(const Body& body, Visit&& visit) {
-  std::uint32_t number = 0;
-  for (std::int64_t row = 0; row < body.lattice.rows; ++row) {
-    const Lattice::Range range = body.lattice.columns_in_row(row);
-    for (std::int64_t column = range.begin; column < range.end; ++column)
-      visit(number++, body.lattice.point(column, row));
-  }
-}
-
 /// Bodies at time 0, in the order of their numbers.
 std::vector<BodyParticles> make_particles(const Model& model);
 

@@ -40,7 +40,8 @@ Snapshot Simulation::snapshot() {
       }
     }
     if (!wants_displacement) continue;
-    for_each_lattice_point(body, [&](std::uint32_t number, Vector at) {
+    body.lattice.for_each_point([&](std::int64_t point, Vector at) {
+      const auto number = static_cast<std::uint32_t>(point);
       const std::size_t row = static_cast<std::size_t>(body.first_particle) + number;
       displacement[2 * row] = snapshot.position[2 * row] - at.x;
       displacement[2 * row + 1] = snapshot.position[2 * row + 1] - at.y;

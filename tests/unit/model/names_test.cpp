@@ -34,7 +34,9 @@ TEST(Names, NumbersAreTheShortestThatReadBack) {
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(number_text(-1e300), "-1e+300");
   EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "inf");
-  EXPECT_EQ(point_text({1, -2.5}), "(1, -2.5)");
+  EXPECT_EQ(point_text({1, -2.5}, 2), "(1, -2.5)");
+  EXPECT_EQ(point_text({1, 2.5, -3}, 3), "(1, 2.5, -3)");
+  EXPECT_EQ(point_text({1, 0, 0}, 1), "(1)");
 }
 
 TEST(Names, IdentifiersAreSafeInPathsAndColumns) {

@@ -33,9 +33,10 @@ class EveryField : public ::testing::Test {
   Scene scene_ = to_scene(message_);
 };
 
-void expect_vector(const Vector& vector, double x, double y) {
+void expect_vector(const Vector& vector, double x, double y, double z = 0) {
   EXPECT_EQ(vector.x, x);
   EXPECT_EQ(vector.y, y);
+  EXPECT_EQ(vector.z, z);
 }
 
 void expect_box(const Region& region, double lower_x, double lower_y, double upper_x, double upper_y) {
@@ -54,7 +55,9 @@ TEST_F(EveryField, UsesTheWholeSchema) {
   std::set<std::string> missing = testing::schema_of(*v1::Scene::descriptor());
   for (const std::string& name : testing::used_by(message_)) missing.erase(name);
   // A scene has one dimension; what is unspecified is another test's.
-  EXPECT_THAT(missing, ElementsAre("trajan.v1.Domain.DIMENSION_UNSPECIFIED", "trajan.v1.Domain.PLANE_STRESS",
+  EXPECT_THAT(missing, ElementsAre("trajan.v1.Domain.AXISYMMETRIC", "trajan.v1.Domain.BAR",
+                                   "trajan.v1.Domain.DIMENSION_UNSPECIFIED", "trajan.v1.Domain.PLANE_STRESS",
+                                   "trajan.v1.Domain.SOLID",
                                    "trajan.v1.EdgeTraction.EDGE_UNSPECIFIED"));
 }
 
@@ -67,10 +70,11 @@ TEST_F(EveryField, KeepsNamesConstantsAndDomain) {
   EXPECT_EQ(scene_.constants[0].value, "2e3");
   EXPECT_EQ(scene_.constants[1].name, "c");
   EXPECT_EQ(scene_.domain.dimension, Dimension::plane_strain);
-  expect_vector(scene_.domain.lower, -1.5, -2.5);
-  expect_vector(scene_.domain.upper, 3.5, 4.5);
+  expect_vector(scene_.domain.lower, -1.5, -2.5, -3.5);
+  expect_vector(scene_.domain.upper, 3.5, 4.5, 5.5);
   EXPECT_EQ(scene_.domain.cell_size, 0.125);
   EXPECT_EQ(scene_.domain.thickness, 0.75);
+  EXPECT_EQ(scene_.domain.cross_section, 0.76);
 }
 
 TEST_F(EveryField, KeepsMaterials) {
@@ -101,11 +105,12 @@ TEST_F(EveryField, KeepsBoundaries) {
   EXPECT_EQ(scene_.boundaries[0].name, "clamp");
   expect_box(scene_.boundaries[0].nodes, 7.1, 7.2, 7.3, 7.4);
   EXPECT_THAT(std::get<Fixed>(scene_.boundaries[0].condition).axes,
-              ElementsAre(Axis::y, Axis::x, Axis::unspecified));
+              ElementsAre(Axis::y, Axis::x, Axis::z, Axis::unspecified));
   expect_disc(scene_.boundaries[1].nodes, 8.1, 8.2, 8.3);
   const auto& piston = std::get<PrescribedVelocity>(scene_.boundaries[1].condition);
   EXPECT_EQ(piston.velocity.x, "3*t");
   EXPECT_EQ(piston.velocity.y, "4*t");
+  EXPECT_EQ(piston.velocity.z, "5*t");
 }
 
 TEST_F(EveryField, KeepsLoads) {
@@ -139,7 +144,7 @@ TEST_F(EveryField, KeepsTimeFunctions) {
   const auto& table = std::get<Table>(scene_.loads[3].time);
   EXPECT_THAT(table.times, ElementsAre(12.1, 12.2, 12.3));
   EXPECT_THAT(table.values, ElementsAre(12.4, 12.5));
-  EXPECT_EQ(std::get<std::string>(scene_.loads[4].time), "5*t");
+  EXPECT_EQ(std::get<std::string>(scene_.loads[4].time), "6*t");
   EXPECT_EQ(std::get<double>(scene_.loads[5].time), 1.0) << "the default";
 }
 
@@ -198,7 +203,7 @@ TEST_F(EveryField, KeepsKindsOfMeasures) {
 TEST(ConvertScene, FieldsLeftOutTakeTheirDefaults) {
   const Scene scene = to_scene(parse("bodies {} loads {} measures { deviation {} }"));
   const Scene fresh;
-  EXPECT_EQ(scene.domain.thickness, 1);
+  EXPECT_EQ(scene.domain.thickness, std::nullopt);
   EXPECT_EQ(scene.bodies[0].particles_per_cell_side, 2);
   EXPECT_EQ(scene.bodies[0].initial_velocity.x, std::nullopt);
   EXPECT_EQ(std::get<double>(scene.loads[0].time), 1);
@@ -251,8 +256,14 @@ TEST(ConvertScene, EnumValuesOfALaterVersionAreUnspecified) {
   EXPECT_EQ(scene.measures[0].kind.index(), 0u);
 }
 
-TEST(ConvertScene, PlaneStressIsTheOtherDimension) {
-  EXPECT_EQ(to_scene(parse("domain { dimension: PLANE_STRESS }")).domain.dimension, Dimension::plane_stress);
+TEST(ConvertScene, DimensionsKeepTheirMeaning) {
+  const auto dimension = [](const std::string& word) {
+    return to_scene(parse("domain { dimension: " + word + " }")).domain.dimension;
+  };
+  EXPECT_EQ(dimension("BAR"), Dimension::bar);
+  EXPECT_EQ(dimension("PLANE_STRESS"), Dimension::plane_stress);
+  EXPECT_EQ(dimension("AXISYMMETRIC"), Dimension::axisymmetric);
+  EXPECT_EQ(dimension("SOLID"), Dimension::solid);
 }
 
 std::vector<Violation> violations_of(const v1::Scene& scene) {
