@@ -12,7 +12,8 @@ std::int64_t count_by_looking(const Lattice& lattice, const Disc& disc) {
   std::int64_t points = 0;
   for (std::int64_t row = -2; row < lattice.rows + 2; ++row) {
     for (std::int64_t column = -2; column < lattice.columns + 2; ++column) {
-      const Vector point = lattice.point(column, row);
+      const Vector point = {lattice.first.x + static_cast<double>(column) * lattice.spacing.x,
+                            lattice.first.y + static_cast<double>(row) * lattice.spacing.y};
       // The same slack at the rim as the lattice's own.
       if (std::hypot(point.x - disc.centre.x, point.y - disc.centre.y) <= disc.radius + 1e-9 * lattice.spacing.x) {
         ++points;

@@ -150,7 +150,7 @@ const std::vector<Mistake> numerics = {
     {"UnknownScheme", [](Scene& s) { s.numerics.scheme = "tlmpn"; }, "numerics.scheme", "no scheme \"tlmpn\"",
      "did you mean \"TLMPM\"?"},
     {"UnknownShapeFunctions", [](Scene& s) { s.numerics.shape_functions = "cubic"; }, "numerics.shape_functions",
-     "no shape function \"cubic\"", "the shape functions are: linear"},
+     "no shape function \"cubic\"", "the shape functions are: "},
     {"TooMuchFlip", [](Scene& s) { s.numerics.flip_fraction = 1.01; }, "numerics.flip_fraction", "out of range"},
     {"NoFractionOfTheStep", [](Scene& s) { s.numerics.time_step_fraction = 0; }, "numerics.time_step_fraction",
      "out of range"},
