@@ -57,6 +57,7 @@ enum class Attribute : std::uint8_t {
   load_z,
   count
 };
+inline constexpr int most_history_variables = 8;
 inline constexpr int attribute_count = static_cast<int>(Attribute::count);
 
 /// Particles that one call of a stage works on: their intermediate values stay in the first-level cache.
@@ -92,6 +93,7 @@ struct alignas(64) Scratch {
   BlockArray gradient_rest;    ///< axisymmetric: hoop strain rate, radial velocity over radius
   BlockArray force[9];         ///< volume times stress over cell size, row by row
   BlockArray virial_rest;      ///< axisymmetric: volume times hoop stress
+  BlockArray across[2];        ///< strains across plane or bar while a rate law is solved for them
   BlockArray load[3];          ///< acceleration by loads
   double deform_share = 1;     ///< of the step's drift by which laws deform
   double* window = nullptr;    ///< what the nodes around hold, one array of window_nodes per quantity

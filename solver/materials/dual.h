@@ -4,6 +4,7 @@
 #include <compare>
 
 #include "solver/materials/logarithm.h"
+#include "solver/materials/unroll.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -28,7 +29,7 @@ struct Dual {
 template <int K>
 constexpr Dual<K> chain(const Dual<K>& a, double value, double derivative) {
   Dual<K> r(value);
-  for (int k = 0; k < K; ++k) r.slope[k] = derivative * a.slope[k];
+  unroll<K>([&](auto k) { r.slope[k] = derivative * a.slope[k]; });
   return r;
 }
 
@@ -39,19 +40,19 @@ constexpr Dual<K> operator-(const Dual<K>& a) {
 template <int K>
 constexpr Dual<K> operator+(const Dual<K>& a, const Dual<K>& b) {
   Dual<K> r(a.value + b.value);
-  for (int k = 0; k < K; ++k) r.slope[k] = a.slope[k] + b.slope[k];
+  unroll<K>([&](auto k) { r.slope[k] = a.slope[k] + b.slope[k]; });
   return r;
 }
 template <int K>
 constexpr Dual<K> operator-(const Dual<K>& a, const Dual<K>& b) {
   Dual<K> r(a.value - b.value);
-  for (int k = 0; k < K; ++k) r.slope[k] = a.slope[k] - b.slope[k];
+  unroll<K>([&](auto k) { r.slope[k] = a.slope[k] - b.slope[k]; });
   return r;
 }
 template <int K>
 constexpr Dual<K> operator*(const Dual<K>& a, const Dual<K>& b) {
   Dual<K> r(a.value * b.value);
-  for (int k = 0; k < K; ++k) r.slope[k] = a.slope[k] * b.value + a.value * b.slope[k];
+  unroll<K>([&](auto k) { r.slope[k] = a.slope[k] * b.value + a.value * b.slope[k]; });
   return r;
 }
 template <int K>
@@ -113,7 +114,7 @@ constexpr T choose(bool condition, const T& a, const T& b) {
 template <int K>
 constexpr Dual<K> choose(bool condition, const Dual<K>& a, const Dual<K>& b) {
   Dual<K> r(condition ? a.value : b.value);
-  for (int k = 0; k < K; ++k) r.slope[k] = condition ? a.slope[k] : b.slope[k];
+  unroll<K>([&](auto k) { r.slope[k] = condition ? a.slope[k] : b.slope[k]; });
   return r;
 }
 

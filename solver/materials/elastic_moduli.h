@@ -17,18 +17,25 @@ struct LameConstants {
   double lambda;
   double mu;
 
-  LameConstants(double youngs_modulus, double poissons_ratio)
-      : lambda(youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio))),
-        mu(youngs_modulus / (2 * (1 + poissons_ratio))) {}
+  static LameConstants of(double youngs_modulus, double poissons_ratio) {
+    return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
+            youngs_modulus / (2 * (1 + poissons_ratio))};
+  }
+  double bulk_modulus() const { return lambda + 2 * mu / 3; }
+  double poissons_ratio() const { return lambda / (2 * (lambda + mu)); }
+  double youngs_modulus() const { return 2 * mu * (1 + poissons_ratio()); }
 
-  /// lambda, or in plane stress what is left of it once the out-of-plane strain has removed the
-  /// out-of-plane stress: 2 lambda mu / (lambda + 2 mu).
-  double in_plane_lambda(Dimension dimension) const {
-    return dimension == Dimension::plane_stress ? 2 * lambda * mu / (lambda + 2 * mu) : lambda;
+  /// Strain along each axis of the rest that frees it of stress, per dilation of the grid's axes.
+  double thinning(Dimension dimension) const {
+    if (dimension == Dimension::plane_stress) return -lambda / (lambda + 2 * mu);
+    return dimension == Dimension::bar ? -poissons_ratio() : 0.0;
   }
 
-  /// Modulus of the plane longitudinal wave, the fastest one: rho c^2.
-  double wave_modulus(Dimension dimension) const { return in_plane_lambda(dimension) + 2 * mu; }
+  /// Modulus of the longitudinal wave, the fastest one: rho c^2.
+  double wave_modulus(Dimension dimension) const {
+    const double rest_axes = dimension == Dimension::bar ? 2 : 1;
+    return lambda * (1 + rest_axes * thinning(dimension)) + 2 * mu;
+  }
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

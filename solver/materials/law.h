@@ -7,6 +7,7 @@
 
 #include "solver/materials/elastic_moduli.h"
 #include "solver/materials/material.h"
+#include "solver/materials/tensor_inverse.h"
 #include "solver/materials/tensor_products.h"
 
 /// What a constitutive law is. A law is one class in one header, written once for all dimensions (N grid
@@ -22,7 +23,7 @@
 ///   static constexpr HistoryVariable history[];        what it remembers, at most 8
 ///   void begin(std::uint64_t particle, double* history) const;   initial history of one particle, if it differs
 ///                                                      from particle to particle (the number is the body's)
-///   static std::string check(const double* values);    what is wrong with the parameters together, or empty
+///   static Objection check(const double* values);      what is wrong with the parameters together
 ///   static std::string_view objection(Dimension, bool total_lagrangian);  why it must not be used so, or empty
 ///
 /// A *finite* law (rate_form = false) is a function of the deformation gradient:
@@ -34,14 +35,16 @@
 ///   template <int N, class T>
 ///   void evolve(const Tensor<N, T>& f, double dt, std::array<T, count>& h) const;
 /// `evolve` is called once a step with the F of its end, before `response`. An anisotropic law also gives
-///   template <int N>
+///   template <Dimension D, int N>
 ///   double wave_modulus(const Tensor<N>& f, bool total_lagrangian) const;
 /// the largest eigenvalue of the acoustic tensor per reference volume for unit normals of the current, or in the
 /// total Lagrangian form of the reference configuration; for isotropic laws it is found by differentiation.
 ///
 /// A *rate* law (rate_form = true) advances its state:
-///   template <int N, class T> void advance(const Tensor<N, T>& g, double dt, RateState<N, T, count>& state)
-///   const; template <int N> LameConstants moduli(const RateState<N, double, count>& state) const;
+///   template <int N, class T>
+///   void advance(const Tensor<N, T>& g, double dt, RateState<N, T, count>& state) const;
+///   template <int N>
+///   LameConstants moduli(const RateState<N, double, count>& state) const;
 /// `g` is the displacement gradient of the step with respect to the configuration at its beginning; volume_ratio
 /// is already that of the end. `moduli` are the tangent ones of the fastest waves. It may give
 ///   template <int N> double energy_density(const RateState<N, double, count>&) const;   per current volume

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "solver/scene/scene.h"
@@ -36,14 +37,25 @@ struct HistoryVariable {
   double initial;
 };
 
+/// What is wrong with a law's parameters together, and what would be right. Empty: nothing.
+struct Objection {
+  std::string problem;
+  std::string remedy;
+};
+
 /// What the rest of the solver knows of a constitutive law without knowing its formulas.
 /// Values of parameters are always passed in the order of `parameters`.
 struct MaterialKind {
   std::string_view name;  ///< as in materials.proto, for example "linear_elastic"
   std::string_view source;
   std::span<const Parameter> parameters;
+  std::span<const HistoryVariable> history;  ///< what particles of the material remember
   /// Speed of the fastest wave at rest (consistent units) for a mass density at rest.
   double (*wave_speed)(std::span<const double> values, double density, Dimension dimension);
+  /// What is wrong with values that are each in their range.
+  Objection (*check)(std::span<const double> values);
+  /// Why the law must not be used in scenes of this kind; empty: it may.
+  std::string_view (*objection)(Dimension dimension, bool total_lagrangian);
 };
 
 /// All laws, generated from the list in materials/CMakeLists.txt.

@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "solver/executors/instruction_set.h"
+#include "solver/materials/unroll.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -49,15 +49,15 @@ concept AnyTensor = std::is_same_v<A, Tensor<A::size, typename A::Scalar>> ||
 template <AnyTensor A, class Function>
 constexpr A for_components(const A& a, Function&& function) {
   A r{};
-  for (int k = 0; k < 3; ++k) r.diagonal[k] = function(a.diagonal[k]);
-  for (int k = 0; k < A::off_count; ++k) r.off[k] = function(a.off[k]);
+  unroll<3>([&](auto k) { r.diagonal[k] = function(a.diagonal[k]); });
+  unroll<A::off_count>([&](auto k) { r.off[k] = function(a.off[k]); });
   return r;
 }
 template <AnyTensor A, class Function>
 constexpr A for_components(const A& a, const A& b, Function&& function) {
   A r{};
-  for (int k = 0; k < 3; ++k) r.diagonal[k] = function(a.diagonal[k], b.diagonal[k]);
-  for (int k = 0; k < A::off_count; ++k) r.off[k] = function(a.off[k], b.off[k]);
+  unroll<3>([&](auto k) { r.diagonal[k] = function(a.diagonal[k], b.diagonal[k]); });
+  unroll<A::off_count>([&](auto k) { r.off[k] = function(a.off[k], b.off[k]); });
   return r;
 }
 
@@ -77,7 +77,7 @@ constexpr A operator*(const S& s, const A& a) {
 /// a + s 1
 template <AnyTensor A, class S>
 constexpr A plus_diagonal(A a, const S& s) {
-  for (int k = 0; k < 3; ++k) a.diagonal[k] = a.diagonal[k] + s;
+  unroll<3>([&](auto k) { a.diagonal[k] = a.diagonal[k] + s; });
   return a;
 }
 
@@ -94,15 +94,15 @@ constexpr Tensor<N, T> identity() {
 template <class U, int N, class T>
 constexpr Tensor<N, U> cast(const Tensor<N, T>& a) {
   Tensor<N, U> r{};
-  for (int k = 0; k < 3; ++k) r.diagonal[k] = U(a.diagonal[k]);
-  for (int k = 0; k < Tensor<N, T>::off_count; ++k) r.off[k] = U(a.off[k]);
+  unroll<3>([&](auto k) { r.diagonal[k] = U(a.diagonal[k]); });
+  unroll<Tensor<N, T>::off_count>([&](auto k) { r.off[k] = U(a.off[k]); });
   return r;
 }
 template <class U, int N, class T>
 constexpr SymmetricTensor<N, U> cast(const SymmetricTensor<N, T>& a) {
   SymmetricTensor<N, U> r{};
-  for (int k = 0; k < 3; ++k) r.diagonal[k] = U(a.diagonal[k]);
-  for (int k = 0; k < SymmetricTensor<N, T>::off_count; ++k) r.off[k] = U(a.off[k]);
+  unroll<3>([&](auto k) { r.diagonal[k] = U(a.diagonal[k]); });
+  unroll<SymmetricTensor<N, T>::off_count>([&](auto k) { r.off[k] = U(a.off[k]); });
   return r;
 }
 

@@ -1,6 +1,7 @@
 // Compiled once for each instruction set that is dispatched to, with TRAJAN_INSTRUCTION_SET its name.
-#include "solver/materials/laws.h"
-#include "solver/schemes/law_kernels.h"
+#include "solver/schemes/kernels.h"
+
+#include "solver/materials/law_names.h"
 #include "solver/shapes/transfers.h"
 #include "solver/transfers/node_updates.h"
 #include "solver/transfers/pointwise.h"
@@ -11,20 +12,17 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
+// One translation unit for each law.
+#define TRAJAN_DECLARE(law) const LawKernels* kernels_of_##law(Dimension, bool total_lagrangian);
+TRAJAN_FOR_EACH_LAW_NAME(TRAJAN_DECLARE)
+#undef TRAJAN_DECLARE
+
 namespace {
 
-template <class Law>
-const LawKernels* choose(Dimension dimension, bool total_lagrangian) {
-  constexpr Dimension stress = Dimension::plane_stress, strain = Dimension::plane_strain;
-  if (dimension == stress)
-    return total_lagrangian ? &LawStages<Law, stress, true>::kernels : &LawStages<Law, stress, false>::kernels;
-  return total_lagrangian ? &LawStages<Law, strain, true>::kernels : &LawStages<Law, strain, false>::kernels;
-}
-
 const LawKernels* law(std::string_view name, Dimension dimension, bool total_lagrangian) {
-#define TRAJAN_CHOOSE(Law) \
-  if (name == Law::name) return choose<Law>(dimension, total_lagrangian);
-  TRAJAN_FOR_EACH_LAW(TRAJAN_CHOOSE)
+#define TRAJAN_CHOOSE(law) \
+  if (name == #law) return kernels_of_##law(dimension, total_lagrangian);
+  TRAJAN_FOR_EACH_LAW_NAME(TRAJAN_CHOOSE)
 #undef TRAJAN_CHOOSE
   return nullptr;
 }

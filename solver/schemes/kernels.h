@@ -25,11 +25,17 @@ using Measurement = void (*)(const Block&, Totals&);
 
 /// What a constitutive law does, compiled for one dimension and one configuration.
 struct LawKernels {
-  std::unique_ptr<const void, void (*)(const void*)> (*make)(const double* parameters, Dimension dimension);
+  /// A law object of these parameters and this density at rest.
+  std::unique_ptr<const void, void (*)(const void*)> (*make)(const double* parameters, double density);
+  /// What a particle remembers at first, by its number within the body.
+  void (*begin)(const void* law, std::uint64_t particle, double* history);
+  std::span<const Attribute> attributes;  ///< what particles carry for the law
+  int history;                            ///< how many history variables
   bool rate_form;
-  Stage force;   ///< state of the particles -> scratch.force
-  Stage deform;  ///< scratch.gradient, sweep.drift, scratch.deform_share -> state of the particles
-  /// Cauchy stress of the block into four arrays xx, yy, xy, zz.
+  Stage force;   ///< state of the particles -> scratch.force, scratch.virial_rest
+  Stage deform;  ///< scratch.gradient, scratch.gradient_rest, sweep.drift, scratch.deform_share -> state of the particles
+  /// Cauchy stress of the block into arrays xx (bar), xx, yy, xy, zz (plane, axisymmetric) or
+  /// xx, yy, zz, xy, yz, xz (solid).
   void (*stress)(const Block&, double* const* out);
   Measurement measure;  ///< strain energy and wave speed
 };

@@ -1,58 +1,114 @@
 #pragma once
 
-#include <cmath>
+#include <array>
+#include <cstdint>
 
 #include "solver/executors/block.h"
-#include "solver/materials/plane_tensor.h"
-#include "solver/scene/scene.h"
+#include "solver/materials/dimension.h"
+#include "solver/materials/law.h"
+#include "solver/materials/unroll.h"
 
+/// Where the tensors of a block's particles lie, and access to them by particle.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Squares of the principal stretches of F: the eigenvalues of F F^T, the larger one first.
-struct PrincipalStretches {
-  double largest, smallest;
-  explicit PrincipalStretches(const PlaneTensor<double>& f) {
-    const double mean = 0.5 * (f.xx * f.xx + f.xy * f.xy + f.yx * f.yx + f.yy * f.yy);
-    const double j = determinant(f);
-    const double rest = mean * mean - j * j;
-    const double root = rest > 0 ? std::sqrt(rest) : 0;
-    largest = mean + root;
-    smallest = j * j / largest;
+constexpr Attribute after(Attribute first, int steps) {
+  return static_cast<Attribute>(static_cast<int>(first) + steps);
+}
+constexpr Attribute deformation_attribute(int i, int j) { return after(Attribute::deformation_xx, 3 * i + j); }
+
+/// The time that a deformation takes.
+inline double deformation_time(const Block& b) { return b.scratch->deform_share * b.sweep->drift; }
+
+/// Deformation gradient. The rest is 1 unless it is stored.
+template <int N, bool RestIsStored>
+struct DeformationArrays {
+  static constexpr int diagonal_count = RestIsStored ? 3 : N;
+  double* diagonal[3];
+  double* off[Tensor<N>::off_count + 1];
+
+  explicit DeformationArrays(const Block& b) {
+    unroll<diagonal_count>([&](auto k) { diagonal[k] = b[deformation_attribute(k, k)]; });
+    unroll<N>([&](auto i) {
+      unroll<N>([&](auto j) {
+        if constexpr (i != j) off[Tensor<N>::place(i, j)] = b[deformation_attribute(i, j)];
+      });
+    });
+  }
+  Tensor<N> at(int i) const {
+    Tensor<N> f = identity<N>();
+    unroll<diagonal_count>([&](auto k) { f.diagonal[k] = diagonal[k][i]; });
+    unroll<Tensor<N>::off_count>([&](auto k) { f.off[k] = off[k][i]; });
+    return f;
+  }
+  void set(int i, const Tensor<N>& f) const {
+    unroll<diagonal_count>([&](auto k) { diagonal[k][i] = f.diagonal[k]; });
+    unroll<Tensor<N>::off_count>([&](auto k) { off[k][i] = f.off[k]; });
   }
 };
 
-/// Pointers to the state, and access to it by particle.
-template <Dimension D>
-struct LawState {
-  double *sxx, *syy, *sxy, *szz, *volume, *fxx, *fxy, *fyx, *fyy;
-  explicit LawState(const Block& b)
-      : sxx(b[Attribute::stress_xx]),
-        syy(b[Attribute::stress_yy]),
-        sxy(b[Attribute::stress_xy]),
-        szz(b[Attribute::stress_zz]),
-        volume(b[Attribute::volume]),
-        fxx(b[Attribute::deformation_xx]),
-        fxy(b[Attribute::deformation_xy]),
-        fyx(b[Attribute::deformation_yx]),
-        fyy(b[Attribute::deformation_yy]) {}
-  SymmetricTensor<double> stress(int i) const {
-    return {sxx[i], syy[i], sxy[i], D == Dimension::plane_strain ? szz[i] : 0.0};
+/// Cauchy stress. The rest is 0 unless it is stored.
+template <int N, bool RestIsStored>
+struct StressArrays {
+  static constexpr int diagonal_count = RestIsStored ? 3 : N;
+  double* diagonal[3];
+  double* off[SymmetricTensor<N>::off_count + 1];
+
+  explicit StressArrays(const Block& b) {
+    unroll<diagonal_count>([&](auto k) { diagonal[k] = b[after(Attribute::stress_xx, k)]; });
+    unroll<SymmetricTensor<N>::off_count>([&](auto k) { off[k] = b[after(Attribute::stress_xy, k)]; });
   }
-  PlaneTensor<double> deformation(int i) const { return {fxx[i], fxy[i], fyx[i], fyy[i]}; }
-  void set_stress(int i, const SymmetricTensor<double>& s) const {
-    sxx[i] = s.xx;
-    syy[i] = s.yy;
-    sxy[i] = s.xy;
-    if constexpr (D == Dimension::plane_strain) szz[i] = s.zz;
+  SymmetricTensor<N> at(int i) const {
+    SymmetricTensor<N> s{};
+    unroll<diagonal_count>([&](auto k) { s.diagonal[k] = diagonal[k][i]; });
+    unroll<SymmetricTensor<N>::off_count>([&](auto k) { s.off[k] = off[k][i]; });
+    return s;
   }
-  void set_deformation(int i, const PlaneTensor<double>& f) const {
-    fxx[i] = f.xx;
-    fxy[i] = f.xy;
-    fyx[i] = f.yx;
-    fyy[i] = f.yy;
+  void set(int i, const SymmetricTensor<N>& s) const {
+    unroll<diagonal_count>([&](auto k) { diagonal[k][i] = s.diagonal[k]; });
+    unroll<SymmetricTensor<N>::off_count>([&](auto k) { off[k][i] = s.off[k]; });
   }
 };
+
+template <int Count>
+struct HistoryArrays {
+  double* variable[Count + 1];
+
+  explicit HistoryArrays(const Block& b) {
+    unroll<Count>([&](auto h) { variable[h] = b[after(Attribute::history_0, h)]; });
+  }
+  std::array<double, static_cast<std::size_t>(Count)> at(int i) const {
+    std::array<double, static_cast<std::size_t>(Count)> values{};
+    unroll<Count>([&](auto h) { values[static_cast<std::size_t>(h)] = variable[h][i]; });
+    return values;
+  }
+  void set(int i, const std::array<double, static_cast<std::size_t>(Count)>& values) const {
+    unroll<Count>([&](auto h) { variable[h][i] = values[static_cast<std::size_t>(h)]; });
+  }
+};
+
+/// Velocity gradient in a thread's working memory.
+template <Dimension D>
+struct GradientArrays {
+  static constexpr int N = grid_axes(D);
+  Scratch& scratch;
+
+  Tensor<N> at(int i) const {
+    Tensor<N> g{};
+    unroll<N * N>([&](auto k) { g(k / N, k % N) = scratch.gradient[k][i]; });
+    if constexpr (D == Dimension::axisymmetric) g.diagonal[2] = scratch.gradient_rest[i];
+    return g;
+  }
+  void set(int i, const Tensor<N>& g) const {
+    unroll<N * N>([&](auto k) { scratch.gradient[k][i] = g(k / N, k % N); });
+    if constexpr (D == Dimension::axisymmetric) scratch.gradient_rest[i] = g.diagonal[2];
+  }
+};
+
+/// Whether bodies of finite laws, or total Lagrangian ones of rate laws, store stretches of the rest.
+constexpr bool stores_rest_stretch(Dimension d, bool rate_form) {
+  return d == Dimension::axisymmetric || (!rate_form && rest_is_free(d));
+}
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan

@@ -59,6 +59,9 @@ void Executor::check(const Trouble& trouble) const {
   if (trouble.inverted)
     diverge("a particle's deformation gradient has lost its positive determinant",
             "take a smaller numerics.time_step_fraction, or particles and cells of a better resolution");
+  if (trouble.unsolved)
+    diverge("no stretch across the plane or bar was found that frees a particle of the stress across it",
+            "take a smaller numerics.time_step_fraction, or a material that bears such a deformation");
   if (trouble.moved_too_far)
     diverge("a particle moved more than one cell in a step, or its velocity is not a finite number",
             "take a smaller numerics.time_step_fraction; if that does not help, check loads and boundaries");

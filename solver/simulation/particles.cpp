@@ -58,11 +58,20 @@ void fill(BodyParticles& made, const Model& model, const Body& body) {
     volume[i] = reference_volume.empty() ? body.particle_volume : reference_volume[i];
 }
 
+void begin_history(BodyParticles& made) {
+  std::array<double, most_history_variables> history{};
+  for (std::size_t i = 0; made.law->history > 0 && i < made.size(); ++i) {
+    made.law->begin(made.constants.law, made.number[i], history.data());
+    for (int h = 0; h < made.law->history; ++h) made.component(Attribute::history_0, h)[i] = history[h];
+  }
+}
+
 BodyParticles make_body(const Model& model, std::size_t index) {
   const Body& body = model.bodies[index];
   BodyParticles made;
   made.law = &law_of(model, body);
-  made.law_object = made.law->make(model.materials[body.material].parameters.data(), model.dimension);
+  const Material& material = model.materials[body.material];
+  made.law_object = made.law->make(material.parameters.data(), material.density);
   made.constants = constants_of(model, body);
   made.constants.law = made.law_object.get();
 
@@ -72,6 +81,7 @@ BodyParticles make_body(const Model& model, std::size_t index) {
     made[one].assign(made[one].size(), 1.0);
   made.number.resize(n);
   fill(made, model, body);
+  begin_history(made);
   return made;
 }
 
@@ -97,10 +107,7 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   add_vector(velocity_x);
   if (total) add_vector(displacement_x);
   if (model.dimension == Dimension::axisymmetric) add({reference_volume}, "dimension axisymmetric");
-  if (law.rate_form) add({volume, stress_xx, stress_yy, stress_xy}, law_name);
-  if (law.rate_form && model.dimension == Dimension::plane_strain) add({stress_zz}, law_name + " in plane strain");
-  if (!law.rate_form || total)
-    add({deformation_xx, deformation_xy, deformation_yx, deformation_yy}, law.rate_form ? scheme : law_name);
+  for (Attribute a : law.attributes) add({a}, law_name);
   return needs;
 }
 

@@ -1,14 +1,47 @@
 #include "tests/conformance/material_point.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
 namespace trajan::test {
+namespace {
+
+struct Sample {
+  LawTraits traits;
+  std::vector<std::vector<double>> parameters;
+};
+
+/// What each law is tested with: moduli of the order of 1000.
+const std::map<std::string_view, Sample> samples = {
+    {"linear_elastic", {{false, true, true}, {{1000, 0}, {1000, 0.3}, {1000, 0.45}, {1000, -0.3}}}},
+    {"neo_hookean", {{true, true, true}, {{1000, 0}, {1000, 0.3}, {1000, 0.45}, {1000, -0.3}}}},
+};
+
+const Sample& sample_of(const MaterialKind& kind) {
+  const auto found = samples.find(kind.name);
+  if (found == samples.end())
+    throw std::invalid_argument("give parameters to test law " + std::string(kind.name) + " with");
+  return found->second;
+}
+
+constexpr Dimension dimensions[] = {Dimension::bar, Dimension::plane_stress, Dimension::plane_strain,
+                                    Dimension::axisymmetric, Dimension::solid};
+
+}  // namespace
+
+std::string name_of(Dimension dimension) {
+  static const std::map<Dimension, std::string> names = {{Dimension::bar, "bar"},
+                                                         {Dimension::plane_stress, "plane_stress"},
+                                                         {Dimension::plane_strain, "plane_strain"},
+                                                         {Dimension::axisymmetric, "axisymmetric"},
+                                                         {Dimension::solid, "solid"}};
+  return names.at(dimension);
+}
 
 std::string name_of(const LawCase& of) {
-  const std::string dimension = of.dimension == Dimension::plane_stress ? "plane_stress" : "plane_strain";
-  return std::string(of.kind->name) + "_" + dimension + (of.total_lagrangian ? "_total" : "_updated");
+  return std::string(of.kind->name) + "_" + name_of(of.dimension) + (of.total_lagrangian ? "_total" : "_updated");
 }
 
 std::ostream& operator<<(std::ostream& out, const LawCase& of) { return out << name_of(of); }
@@ -16,94 +49,85 @@ std::ostream& operator<<(std::ostream& out, const LawCase& of) { return out << n
 std::vector<LawCase> all_laws() {
   std::vector<LawCase> cases;
   for (const MaterialKind& kind : material_kinds())
-    for (Dimension dimension : {Dimension::plane_stress, Dimension::plane_strain})
-      for (bool total_lagrangian : {false, true}) cases.push_back({&kind, dimension, total_lagrangian});
+    for (Dimension dimension : dimensions)
+      for (bool total_lagrangian : {false, true})
+        if (kind.objection(dimension, total_lagrangian).empty())
+          cases.push_back({&kind, dimension, total_lagrangian});
   return cases;
 }
 
-std::vector<LawCase> hyperelastic_laws() {
-  std::vector<LawCase> cases;
-  for (const LawCase& of : all_laws())
-    if (!kernels().law(of.kind->name, of.dimension, of.total_lagrangian)->rate_form) cases.push_back(of);
-  return cases;
-}
+std::vector<std::vector<double>> sample_parameters(const MaterialKind& kind) { return sample_of(kind).parameters; }
 
-std::vector<std::vector<double>> sample_parameters(const MaterialKind& kind) {
-  static const std::map<std::string_view, std::vector<double>> samples = {
-      {"youngs_modulus", {1000}}, {"poissons_ratio", {0, 0.3, 0.45, -0.3}}};
-  std::vector<std::vector<double>> sets = {{}};
-  for (const Parameter& parameter : kind.parameters) {
-    const auto found = samples.find(parameter.name);
-    if (found == samples.end())
-      throw std::invalid_argument("give values to test parameter " + std::string(parameter.name) + " with");
-    std::vector<std::vector<double>> longer;
-    for (const std::vector<double>& set : sets)
-      for (double value : found->second) {
-        longer.push_back(set);
-        longer.back().push_back(value);
-      }
-    sets = longer;
-  }
-  return sets;
-}
-
-double value_of(const MaterialKind& kind, const std::vector<double>& parameters, std::string_view name) {
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (kind.parameters[i].name == name) return parameters[i];
-  throw std::invalid_argument(std::string(kind.name) + " has no parameter " + std::string(name));
-}
+LawTraits traits_of(const MaterialKind& kind) { return sample_of(kind).traits; }
 
 MaterialPoint::MaterialPoint(const LawCase& of, const std::vector<double>& parameters, double density)
     : of_(of),
       kernels_(kernels().law(of.kind->name, of.dimension, of.total_lagrangian)),
-      law_(kernels_->make(parameters.data(), of.dimension)),
+      law_(kernels_->make(parameters.data(), density)),
       scratch_(std::make_shared<Scratch>()) {
-  body_.mass = density;
+  body_.density = body_.mass = density;
   body_.reference_volume = 1;
   body_.law = law_.get();
   sweep_.inverse_cell = 1;
   sweep_.drift = 1;
-  for (Attribute one : {Attribute::volume, Attribute::deformation_xx, Attribute::deformation_yy})
+  for (Attribute one : {Attribute::volume, Attribute::reference_volume, Attribute::deformation_xx,
+                        Attribute::deformation_yy, Attribute::deformation_zz})
     state_[static_cast<std::size_t>(one)].fill(1);
+  std::array<double, most_history_variables> history{};
+  kernels_->begin(law_.get(), 0, history.data());
+  for (int h = 0; h < kernels_->history; ++h)
+    state_[static_cast<std::size_t>(Attribute::history_0) + static_cast<std::size_t>(h)].fill(
+        history[static_cast<std::size_t>(h)]);
 }
 
 Block MaterialPoint::block() const {
   Block block;
   block.count = 1;
-  for (int a = 0; a < attribute_count; ++a) block.arrays[a] = state_[a].data();
+  // A stage that touches what it has not declared reads a null pointer.
+  for (Attribute a : kernels_->attributes)
+    block.arrays[static_cast<std::size_t>(a)] = state_[static_cast<std::size_t>(a)].data();
+  if (of_.dimension == Dimension::axisymmetric)
+    block.arrays[static_cast<std::size_t>(Attribute::reference_volume)] =
+        state_[static_cast<std::size_t>(Attribute::reference_volume)].data();
   block.body = &body_;
   block.sweep = &sweep_;
   block.scratch = scratch_.get();
   return block;
 }
 
-void MaterialPoint::deform(const Tensor& next) {
-  const Tensor change = next - deformation_;
-  const Tensor g = of_.total_lagrangian ? change : product(change, inverse(deformation_));
-  scratch_->gradient[0][0] = g.xx;
-  scratch_->gradient[1][0] = g.xy;
-  scratch_->gradient[2][0] = g.yx;
-  scratch_->gradient[3][0] = g.yy;
+void MaterialPoint::deform(const Matrix& wanted) {
+  const int axes = grid_axes(of_.dimension);
+  const Matrix next = in(of_.dimension, wanted), change = next - deformation_;
+  const Matrix g = of_.total_lagrangian ? change : product(change, inverse(deformation_));
+  for (int i = 0; i < axes; ++i)
+    for (int j = 0; j < axes; ++j) scratch_->gradient[i * axes + j][0] = g(i, j);
+  scratch_->gradient_rest[0] = g(2, 2);
   Block all = block();
   kernels_->deform(all);
   deformation_ = next;
 }
 
-std::array<double, 4> MaterialPoint::stress() const {
-  std::array<double, 4> stress;
-  double* const out[4] = {&stress[0], &stress[1], &stress[2], &stress[3]};
+Stress MaterialPoint::stress() const {
+  std::array<double, 6> s{};
+  double* const out[6] = {&s[0], &s[1], &s[2], &s[3], &s[4], &s[5]};
   kernels_->stress(block(), out);
-  return stress;
+  if (of_.dimension == Dimension::bar) return {{s[0], 0, 0}, {}};
+  if (of_.dimension == Dimension::solid) return {{s[0], s[1], s[2]}, {s[3], s[4], s[5]}};
+  return {{s[0], s[1], s[3]}, {s[2], 0, 0}};
 }
 
-Tensor MaterialPoint::virial() const {
+Matrix MaterialPoint::virial() const {
+  const int axes = grid_axes(of_.dimension);
   Block all = block();
   kernels_->force(all);
-  const Tensor force{scratch_->force[0][0], scratch_->force[1][0], scratch_->force[2][0], scratch_->force[3][0]};
+  Matrix force{};
+  for (int i = 0; i < axes; ++i)
+    for (int j = 0; j < axes; ++j) force(i, j) = scratch_->force[i * axes + j][0];
+  if (of_.dimension == Dimension::axisymmetric) force(2, 2) = scratch_->virial_rest[0];
   return of_.total_lagrangian ? product(force, transpose(deformation_)) : force;
 }
 
-Tensor MaterialPoint::nominal_stress() const { return product(virial(), inverse(transpose(deformation_))); }
+Matrix MaterialPoint::nominal_stress() const { return product(virial(), inverse(transpose(deformation_))); }
 
 double MaterialPoint::energy() const {
   Totals totals;
@@ -117,6 +141,45 @@ double MaterialPoint::squared_wave_speed() const {
   return totals.squared_wave_speed;
 }
 
-Tensor rotation(double angle) { return {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)}; }
+Matrix matrix(const std::array<double, 9>& rows) {
+  Matrix m{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m(i, j) = rows[static_cast<std::size_t>(3 * i + j)];
+  return m;
+}
+
+bool has(Dimension dimension, int i, int j) {
+  const int axes = grid_axes(dimension);
+  return (i < axes && j < axes) || (dimension == Dimension::axisymmetric && i == 2 && j == 2);
+}
+
+Matrix in(Dimension dimension, const Matrix& m) {
+  Matrix r = identity<3>();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (has(dimension, i, j)) r(i, j) = m(i, j);
+  return r;
+}
+
+bool turns(Dimension dimension) { return dimension != Dimension::bar && dimension != Dimension::axisymmetric; }
+
+Matrix rotation(Dimension dimension, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Matrix about_z = matrix({c, -s, 0, s, c, 0, 0, 0, 1});
+  if (!turns(dimension)) return identity<3>();
+  if (dimension != Dimension::solid) return about_z;
+  const double a = std::cos(0.8), b = std::sin(0.8);
+  const Matrix tilt = product(matrix({1, 0, 0, 0, a, -b, 0, b, a}), matrix({a, 0, b, 0, 1, 0, -b, 0, a}));
+  return product(product(tilt, about_z), transpose(tilt));
+}
+
+double contraction(const Matrix& a, const Matrix& b) { return double_contraction(a, b); }
+
+double largest_difference(const Stress& a, const Stress& b) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k)
+    largest = std::max({largest, std::abs(a.diagonal[k] - b.diagonal[k]), std::abs(a.off[k] - b.off[k])});
+  return largest;
+}
 
 }  // namespace trajan::test

@@ -6,13 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "solver/materials/dimension.h"
 #include "solver/materials/material.h"
-#include "solver/materials/plane_tensor.h"
+#include "solver/materials/tensor_inverse.h"
+#include "solver/materials/tensor_products.h"
 #include "solver/schemes/kernels.h"
 
 namespace trajan::test {
 
-using Tensor = PlaneTensor<double>;
+/// In every dimension: what it does not have is 0, of a deformation gradient the identity.
+using Matrix = Tensor<3>;
+using Stress = SymmetricTensor<3>;
 
 /// One law for one dimension and one configuration, as the registry lists it.
 struct LawCase {
@@ -22,17 +26,20 @@ struct LawCase {
 };
 std::ostream& operator<<(std::ostream&, const LawCase&);
 std::string name_of(const LawCase&);
+std::string name_of(Dimension);
 
-/// All laws that are listed, for both dimensions and both configurations.
+/// All laws that are listed, for all dimensions and configurations that they are made for.
 std::vector<LawCase> all_laws();
-/// Those of them whose stress follows from an energy of the deformation gradient.
-std::vector<LawCase> hyperelastic_laws();
 
-/// Sets of parameters to test a law with, in the order of its table. Throws if a law has a parameter that
-/// nobody has chosen values for.
+/// Sets of parameters to test a law with, in the order of its table. Throws if nobody has chosen any.
 std::vector<std::vector<double>> sample_parameters(const MaterialKind&);
-/// The value of the parameter of this name.
-double value_of(const MaterialKind&, const std::vector<double>& parameters, std::string_view name);
+/// What a law can be expected to do beyond what all laws do.
+struct LawTraits {
+  bool hyperelastic;  ///< stress follows from an energy of the deformation gradient
+  bool elastic;       ///< comes back from small strains, with the moduli of its wave speed
+  bool hookean;       ///< youngs_modulus and poissons_ratio are those of small strains
+};
+LawTraits traits_of(const MaterialKind&);
 
 /// A particle of volume 1 and this density that only a law acts on: the kernels of the registry on a block
 /// of one, without a grid.
@@ -40,18 +47,19 @@ class MaterialPoint {
  public:
   MaterialPoint(const LawCase&, const std::vector<double>& parameters, double density = 1);
 
-  /// Brings the deformation gradient to `next` in one step.
-  void deform(const Tensor& next);
-  const Tensor& deformation() const { return deformation_; }
-  /// Deformations that lost their positive determinant, so far.
+  /// Brings the deformation gradient to `next` in one step, of which only what the dimension has is looked at.
+  void deform(const Matrix& next);
+  /// Without the stretches that the law itself finds.
+  const Matrix& deformation() const { return deformation_; }
   std::int64_t inverted() const { return scratch_->trouble.inverted; }
+  std::int64_t unsolved() const { return scratch_->trouble.unsolved; }
 
-  /// Cauchy: xx, yy, xy, zz.
-  std::array<double, 4> stress() const;
-  /// V sigma = P F^T in plane components, from the force that the particle gives to the grid.
-  Tensor virial() const;
+  /// Cauchy.
+  Stress stress() const;
+  /// V sigma = P F^T, from the force that the particle gives to the grid.
+  Matrix virial() const;
   /// First Piola-Kirchhoff stress.
-  Tensor nominal_stress() const;
+  Matrix nominal_stress() const;
   double energy() const;
   /// Square of the fastest wave's speed, in the configuration of the law's case.
   double squared_wave_speed() const;
@@ -67,19 +75,20 @@ class MaterialPoint {
   /// Stages may read and write a few entries past the last particle.
   mutable std::array<std::array<double, 1 + block_padding>, attribute_count> state_{};
   std::shared_ptr<Scratch> scratch_;
-  Tensor deformation_{1, 0, 0, 1};
+  Matrix deformation_ = identity<3>();
 };
 
-inline Tensor transpose(const Tensor& a) { return {a.xx, a.yx, a.xy, a.yy}; }
-inline Tensor operator+(const Tensor& a, const Tensor& b) {
-  return {a.xx + b.xx, a.xy + b.xy, a.yx + b.yx, a.yy + b.yy};
-}
-inline Tensor operator-(const Tensor& a, const Tensor& b) {
-  return {a.xx - b.xx, a.xy - b.xy, a.yx - b.yx, a.yy - b.yy};
-}
-inline double contraction(const Tensor& a, const Tensor& b) {
-  return a.xx * b.xx + a.xy * b.xy + a.yx * b.yx + a.yy * b.yy;
-}
-Tensor rotation(double angle);
+/// Row by row.
+Matrix matrix(const std::array<double, 9>& rows);
+/// Of a matrix what a dimension has, of the rest the identity's.
+Matrix in(Dimension, const Matrix&);
+/// Whether component (i, j) belongs to forces and motions of a dimension.
+bool has(Dimension, int i, int j);
+/// A rotation about z in a plane, about a skew axis in space; bars and meridian planes do not turn.
+Matrix rotation(Dimension, double angle);
+bool turns(Dimension);
+/// Of all components.
+double contraction(const Matrix&, const Matrix&);
+double largest_difference(const Stress&, const Stress&);
 
 }  // namespace trajan::test

@@ -28,7 +28,8 @@ TEST(Attributes, AreThoseThatTheSceneNeeds) {
                                    "stress.yy", "stress.xy", "stress.zz", "number"));
   EXPECT_THAT(attributes("MUSL", "neo_hookean", Dimension::plane_stress),
               UnorderedElementsAre("position.x", "position.y", "velocity.x", "velocity.y", "deformation.xx",
-                                   "deformation.xy", "deformation.yx", "deformation.yy", "number"));
+                                   "deformation.xy", "deformation.yx", "deformation.yy", "deformation.zz",
+                                   "number"));
   EXPECT_THAT(attributes("TLMPM", "neo_hookean", Dimension::plane_strain),
               UnorderedElementsAre("position.x", "position.y", "velocity.x", "velocity.y", "displacement.x",
                                    "displacement.y", "deformation.xx", "deformation.xy", "deformation.yx",
