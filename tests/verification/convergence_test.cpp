@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <tuple>
 
+#include "solver/model/validate.h"
+#include "solver/schemes/scheme.h"
 #include "tests/verification/gallery.h"
 
 namespace trajan::verification {
@@ -36,14 +39,36 @@ Scene small_motion(Scene scene) {
   return scene;
 }
 
+bool accepts(const Scene& scene) {
+  try {
+    validate(scene);
+    return true;
+  } catch (const InvalidScene&) {
+    return false;
+  }
+}
+
 class AxialBar : public testing::TestWithParam<std::string> {};
 
-// Bilinear functions are second-order exact on regular particles, and so is leapfrog in time.
-TEST_P(AxialBar, DisplacementConvergesWithSecondOrder) {
-  const Scene scene = small_motion(gallery_scene(GetParam()));
-  const auto table = converge(scene, "displacement_deviation", {1, 0.5, 0.25, 0.125});
-  EXPECT_THAT(table.order(), AllOf(Ge(1.9), Le(2.1)));
+class AxialBarByShape : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+
+// Where particles stay in their cells, lumped masses limit all shape functions to the second order (Steffen et al.
+// 2008, section 4), and so does leapfrog in time. USL does better here: what it dissipates with wide functions
+// dominates the coarse cells' error, and falls faster.
+TEST_P(AxialBarByShape, DisplacementConvergesWithSecondOrder) {
+  Scene scene = small_motion(gallery_scene(std::get<0>(GetParam())));
+  scene.numerics.shape_functions = std::get<1>(GetParam());
+  if (!accepts(scene)) GTEST_SKIP() << "this pair is refused";
+  const auto table = converge(scene, "displacement_deviation", {1, 0.5, 0.25});
+  EXPECT_THAT(table.order(), AllOf(Ge(1.8), Le(2.7)));
 }
+
+std::vector<std::string> shapes() { return {shape_names().begin(), shape_names().end()}; }
+
+INSTANTIATE_TEST_SUITE_P(SchemesAndShapes, AxialBarByShape,
+                         testing::Combine(testing::Values("bar_usl", "bar_musl", "bar_tlmpm"),
+                                          testing::ValuesIn(shapes())),
+                         [](const auto& pair) { return std::get<0>(pair.param) + "_" + std::get<1>(pair.param); });
 
 // USL does better than the leapfrog's second order: what it dissipates dominates with these cells.
 TEST_P(AxialBar, EnergyDriftConvergesWithSecondOrderAtLeast) {
