@@ -37,11 +37,11 @@ template <AnyLaw Law>
 MaterialKind kind_of() {
   MaterialKind kind{Law::name, Law::source, Law::parameters, {}, &wave_speed_at_rest<Law>, nullptr, nullptr};
   if constexpr (requires { Law::history; }) kind.history = Law::history;
-  kind.check = [](std::span<const double> values) {
-    if constexpr (requires { Law::check(values.data()); })
-      return Law::check(values.data());
+  kind.check = [](std::span<const double> values, Dimension dimension) {
+    if constexpr (requires { Law::check(values.data(), dimension); })
+      return Law::check(values.data(), dimension);
     else
-      return static_cast<void>(values), Objection{};
+      return static_cast<void>(values), static_cast<void>(dimension), Objection{};
   };
   kind.objection = [](Dimension dimension, bool total_lagrangian) {
     if constexpr (requires { Law::objection(dimension, total_lagrangian); })

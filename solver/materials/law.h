@@ -23,7 +23,7 @@
 ///   static constexpr HistoryVariable history[];        what it remembers, at most 8
 ///   void begin(std::uint64_t particle, double* history) const;   initial history of one particle, if it differs
 ///                                                      from particle to particle (the number is the body's)
-///   static Objection check(const double* values);      what is wrong with the parameters together
+///   static Objection check(const double* values, Dimension);   what is wrong with the parameters together
 ///   static std::string_view objection(Dimension, bool total_lagrangian);  why it must not be used so, or empty
 ///
 /// A *finite* law (rate_form = false) is a function of the deformation gradient:
@@ -39,6 +39,10 @@
 ///   double wave_modulus(const Tensor<N>& f, bool total_lagrangian) const;
 /// the largest eigenvalue of the acoustic tensor per reference volume for unit normals of the current, or in the
 /// total Lagrangian form of the reference configuration; for isotropic laws it is found by differentiation.
+///
+/// A finite law with
+///   static constexpr bool geometrically_linear = true;
+/// takes all configurations for one: its stress is the first Piola-Kirchhoff stress as well.
 ///
 /// A *rate* law (rate_form = true) advances its state:
 ///   template <int N, class T>
@@ -61,6 +65,14 @@ struct Response {
   SymmetricTensor<N, T> kirchhoff;  ///< tau = J sigma = P F^T
   T energy;                         ///< per reference volume
 };
+
+template <class Law>
+constexpr bool is_geometrically_linear() {
+  if constexpr (requires { Law::geometrically_linear; })
+    return Law::geometrically_linear;
+  else
+    return false;
+}
 
 /// How many history variables a law has.
 template <class Law>

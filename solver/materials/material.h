@@ -53,7 +53,7 @@ struct MaterialKind {
   /// Speed of the fastest wave at rest (consistent units) for a mass density at rest.
   double (*wave_speed)(std::span<const double> values, double density, Dimension dimension);
   /// What is wrong with values that are each in their range.
-  Objection (*check)(std::span<const double> values);
+  Objection (*check)(std::span<const double> values, Dimension dimension);
   /// Why the law must not be used in scenes of this kind; empty: it may.
   std::string_view (*objection)(Dimension dimension, bool total_lagrangian);
 };

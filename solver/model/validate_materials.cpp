@@ -3,6 +3,7 @@
 
 #include "solver/model/names.h"
 #include "solver/model/validator.h"
+#include "solver/schemes/schemes.h"
 
 namespace trajan {
 
@@ -76,12 +77,27 @@ void Validator::check_law(const std::string& path, const MaterialDefinition& def
       complete = false;
     }
   }
+  check_use(law_path, *material.kind);
   if (!complete || model_.dimension == Dimension::unspecified) return;
+  const Objection wrong = material.kind->check(material.parameters, model_.dimension);
+  if (!wrong.problem.empty()) {
+    violations_.add(law_path, "", wrong.problem, wrong.remedy);
+    return;
+  }
   const double speed = material.kind->wave_speed(material.parameters, material.density, model_.dimension);
   if (!(std::isfinite(speed) && speed > 0)) {
     violations_.add(path, "wave speed " + number_text(speed), "its numbers give no finite wave speed",
                     "give stiffness and density of less extreme size");
   }
+}
+
+void Validator::check_use(const std::string& path, const MaterialKind& kind) {
+  const Scheme* scheme = find_scheme(scene_.numerics.scheme);
+  if (scheme == nullptr || model_.dimension == Dimension::unspecified) return;
+  const std::string_view objection = kind.objection(model_.dimension, scheme->total_lagrangian);
+  if (objection.empty()) return;
+  violations_.add(path, "", std::string(kind.name) + " cannot be used here: " + std::string(objection),
+                  "take another law, domain.dimension or numerics.scheme");
 }
 
 bool Validator::check_parameter(const std::string& path, const Parameter& parameter, double value) {

@@ -36,6 +36,7 @@ class Validator {
   void check_extent();
   void check_grid(const std::string& path);
   void check_materials();
+  void check_use(const std::string& path, const MaterialKind& kind);
   void check_law(const std::string& path, const MaterialDefinition& definition, Material& material);
   bool check_parameter(const std::string& path, const Parameter& parameter, double value);
   void check_bodies();

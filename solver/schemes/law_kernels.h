@@ -48,7 +48,7 @@ struct LawStages {
       if constexpr (Law::rate_form)
         s = cauchy_stress(material, particles.state(i));
       else
-        s = (1 / determinant(particles.deformation.at(i))) *
+        s = (is_geometrically_linear<Law>() ? 1 : 1 / determinant(particles.deformation.at(i))) *
             respond(material, particles.deformation.at(i), particles.history.at(i)).kirchhoff;
       if constexpr (free_rest) unroll<3 - N>([&](auto k) { s.diagonal[N + k] = 0; });
       if constexpr (N == 1) out[0][i] = s(0, 0);

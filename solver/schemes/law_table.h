@@ -55,8 +55,9 @@ void begin_history(const void* law, std::uint64_t particle, double* history) {
 template <class Law, Dimension D, bool TotalLagrangian>
 const LawKernels* table() {
   using Stages = LawStages<Law, D>;
+  constexpr bool pulls_back = TotalLagrangian && !is_geometrically_linear<Law>();
   constexpr Stage force =
-      TotalLagrangian ? &in_turn<&Stages::force, &pull_back_force<D, Law::rate_form>> : &Stages::force;
+      pulls_back ? &in_turn<&Stages::force, &pull_back_force<D, Law::rate_form>> : &Stages::force;
   static const std::vector<Attribute> attributes = carried<Law, D, TotalLagrangian>();
   static const LawKernels kernels{&make_law<Law>,
                                   &begin_history<Law>,

@@ -13,10 +13,23 @@ struct Sample {
   std::vector<std::vector<double>> parameters;
 };
 
-/// What each law is tested with: moduli of the order of 1000.
+const std::vector<std::vector<double>> isotropic = {{1000, 0}, {1000, 0.3}, {1000, 0.45}, {1000, -0.3}};
+constexpr LawTraits hyperelastic{.hyperelastic = true, .elastic = true, .hookean = true};
+constexpr LawTraits hypoelastic{.elastic = true, .hookean = true};
+
+/// What each law is tested with: moduli below `largest_modulus`.
 const std::map<std::string_view, Sample> samples = {
-    {"linear_elastic", {{false, true, true}, {{1000, 0}, {1000, 0.3}, {1000, 0.45}, {1000, -0.3}}}},
-    {"neo_hookean", {{true, true, true}, {{1000, 0}, {1000, 0.3}, {1000, 0.45}, {1000, -0.3}}}},
+    {"linear_elastic", {hypoelastic, isotropic}},
+    {"neo_hookean", {hyperelastic, isotropic}},
+    {"st_venant_kirchhoff", {hyperelastic, isotropic}},
+    {"linear_strain_elastic",
+     {{.hyperelastic = true, .elastic = true, .hookean = true, .objective = false}, isotropic}},
+    {"mooney_rivlin",
+     {{.hyperelastic = true, .elastic = true}, {{150, 50, 1000}, {200, 0, 500}, {100, 100, 3000}}}},
+    {"orthotropic_elastic",
+     {{.hyperelastic = true, .elastic = true, .isotropic = false},
+      {{1000, 300, 200, 0.3, 0.2, 0.05, 150, 100, 120, 0, 0, 0},
+       {1000, 1000, 1000, 0.3, 0.3, 0.3, 1000 / 2.6, 1000 / 2.6, 1000 / 2.6, 0, 0, 0}}}},
 };
 
 const Sample& sample_of(const MaterialKind& kind) {

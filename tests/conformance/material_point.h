@@ -35,9 +35,11 @@ std::vector<LawCase> all_laws();
 std::vector<std::vector<double>> sample_parameters(const MaterialKind&);
 /// What a law can be expected to do beyond what all laws do.
 struct LawTraits {
-  bool hyperelastic;  ///< stress follows from an energy of the deformation gradient
-  bool elastic;       ///< comes back from small strains, with the moduli of its wave speed
-  bool hookean;       ///< youngs_modulus and poissons_ratio are those of small strains
+  bool hyperelastic = false;  ///< stress follows from an energy of the deformation gradient
+  bool elastic = false;       ///< comes back from small strains, with the moduli of its wave speed
+  bool hookean = false;       ///< the first two parameters are E and nu at small strain
+  bool objective = true;      ///< turns with a rotation
+  bool isotropic = true;
 };
 LawTraits traits_of(const MaterialKind&);
 

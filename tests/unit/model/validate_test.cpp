@@ -133,6 +133,22 @@ const std::vector<Mistake> materials = {
      "materials[0].linear_elastic.youngs_modulus", "not given"},
     {"UnknownParameter", [](Scene& s) { s.materials[0].parameters["poisson_ratio"] = 0.3; },
      "materials[0].linear_elastic.poisson_ratio", "no parameter", "did you mean \"poissons_ratio\"?"},
+    {"LawThatSchemeDoesNotSuit", [](Scene& s) { s.materials[0].law = "linear_strain_elastic"; },
+     "materials[0].linear_strain_elastic", "from the reference configuration", "numerics.scheme"},
+    {"ParametersThatDoNotGoTogether",
+     [](Scene& s) {
+       s.materials[0].law = "mooney_rivlin";
+       s.materials[0].parameters = {{"c1", 10}, {"c2", 10}, {"bulk_modulus", 50}};
+     },
+     "materials[0].mooney_rivlin", "bulk_modulus is less", "at least 66.6"},
+    {"OrthotropicLawWithoutPositiveEnergy",
+     [](Scene& s) {
+       s.materials[0].law = "orthotropic_elastic";
+       s.materials[0].parameters = {{"youngs_modulus_1", 1},    {"youngs_modulus_2", 4},  {"youngs_modulus_3", 4},
+                                    {"poissons_ratio_12", 0.6}, {"poissons_ratio_23", 0}, {"poissons_ratio_31", 0},
+                                    {"shear_modulus_12", 1},    {"shear_modulus_23", 1},  {"shear_modulus_31", 1}};
+     },
+     "materials[0].orthotropic_elastic", "no positive strain energy", "poissons_ratio_ij^2"},
     {"ParameterOutOfRange", [](Scene& s) { s.materials[0].parameters["youngs_modulus"] = -1; },
      "materials[0].linear_elastic.youngs_modulus", "out of range"},
     {"ParameterOnItsOpenBound", [](Scene& s) { s.materials[0].parameters["poissons_ratio"] = -1; },
