@@ -3,7 +3,7 @@
 
 #include "solver/model/names.h"
 #include "solver/model/validator.h"
-#include "solver/schemes/schemes.h"
+#include "solver/schemes/scheme.h"
 
 namespace trajan {
 
@@ -92,9 +92,9 @@ void Validator::check_law(const std::string& path, const MaterialDefinition& def
 }
 
 void Validator::check_use(const std::string& path, const MaterialKind& kind) {
-  const Scheme* scheme = find_scheme(scene_.numerics.scheme);
-  if (scheme == nullptr || model_.dimension == Dimension::unspecified) return;
-  const std::string_view objection = kind.objection(model_.dimension, scheme->total_lagrangian);
+  const std::string& scheme = scene_.numerics.scheme;
+  if (model_.dimension == Dimension::unspecified || std::ranges::count(scheme_names(), scheme) == 0) return;
+  const std::string_view objection = kind.objection(model_.dimension, is_total_lagrangian(scheme));
   if (objection.empty()) return;
   violations_.add(path, "", std::string(kind.name) + " cannot be used here: " + std::string(objection),
                   "take another law, domain.dimension or numerics.scheme");

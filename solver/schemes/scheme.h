@@ -8,5 +8,7 @@ namespace trajan {
 /// The registered names, generated from the lists in schemes/CMakeLists.txt and shapes/CMakeLists.txt.
 std::span<const std::string_view> scheme_names();
 std::span<const std::string_view> shape_names();
+/// False for names that are not registered.
+bool is_total_lagrangian(std::string_view scheme);
 
 }  // namespace trajan
