@@ -32,8 +32,7 @@ class Handle {
 
 /// Rows [first, first + count) of a dataset of numbers, row-major; all of them if count is 0.
 template <typename Number>
-std::vector<Number> read_rows(hid_t file, const std::string& name, hsize_t first, hsize_t count,
-                              std::size_t& components) {
+std::vector<Number> read_rows(hid_t file, const std::string& name, hsize_t first, hsize_t count) {
   const Handle data(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
   const Handle space(H5Dget_space(data), H5Sclose, name);
   hsize_t size[2] = {0, 1};
@@ -41,7 +40,6 @@ std::vector<Number> read_rows(hid_t file, const std::string& name, hsize_t first
   H5Sget_simple_extent_dims(space, size, nullptr);
   if (count == 0) count = size[0];
   if (first + count > size[0]) throw CommandError(ExitCode::not_found, name + " ends too early");
-  components = size[1];
   const hsize_t start[2] = {first, 0};
   const hsize_t block[2] = {count, size[1]};
   const Handle memory(H5Screate_simple(2, block, nullptr), H5Sclose, name);
@@ -64,6 +62,22 @@ std::string read_text(hid_t file, const char* name) {
   std::string copy(text);
   H5free_memory(text);
   return copy;
+}
+
+/// The names of a field's components; none: it is a number.
+std::vector<std::string> component_names(hid_t file, const std::string& data) {
+  if (H5Aexists_by_name(file, data.c_str(), "components", H5P_DEFAULT) <= 0) return {};
+  const Handle attribute(H5Aopen_by_name(file, data.c_str(), "components", H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         data);
+  const Handle type(H5Aget_type(attribute), H5Tclose, data);
+  const Handle space(H5Aget_space(attribute), H5Sclose, data);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  if (H5Tis_variable_str(type) <= 0 || count <= 0) return {};
+  std::vector<char*> texts(static_cast<std::size_t>(count));
+  if (H5Aread(attribute, type, texts.data()) < 0) return {};
+  std::vector<std::string> names(texts.begin(), texts.end());
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
+  return names;
 }
 
 std::vector<std::string> field_names(hid_t file) {
@@ -90,30 +104,52 @@ double norm(const double* v, std::size_t components) {
   return std::sqrt(sum);
 }
 
+/// A field and, if one was asked for, its component.
+struct FieldPart {
+  std::string field;
+  std::string component;
+};
+
+FieldPart parse_field(const std::string& text) {
+  const std::size_t dot = text.find('.');
+  return {text.substr(0, dot), dot == std::string::npos ? "" : text.substr(dot + 1)};
+}
+
+std::string label_of(const FieldPart& part, std::size_t components) {
+  if (!part.component.empty()) return part.field + "." + part.component;
+  if (part.field == "stress") return "von Mises stress";
+  if (part.field == "velocity") return "speed";
+  std::string name = part.field;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return components == 1 ? name : "magnitude of " + name;
+}
+
 /// One value for each particle from the stored components: a component by its name, or the magnitude.
-std::vector<double> pick(const std::vector<double>& stored, std::size_t components, const std::string& component) {
-  static const std::vector<std::string> vector_names{"x", "y", "z"};
-  static const std::vector<std::string> tensor_names{"xx", "yy", "zz", "xy", "yz", "xz"};
-  constexpr std::size_t tensor_components = 6;
-  const bool tensor = components == tensor_components;
-  const std::vector<std::string>& names = tensor ? tensor_names : vector_names;
-  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), component) - names.begin());
-  if (!component.empty() && place >= components) {
-    throw CommandError(ExitCode::not_found, fmt::format("there is no component \"{}\"", component),
-                       suggest(component, names, "the components are"));
+std::vector<double> pick(const std::vector<double>& stored, const std::vector<std::string>& components,
+                         const FieldPart& part) {
+  const auto place = static_cast<std::size_t>(std::find(components.begin(), components.end(), part.component) -
+                                              components.begin());
+  if (!part.component.empty() && place == components.size()) {
+    throw CommandError(
+        ExitCode::not_found, fmt::format("{} has no component \"{}\"", part.field, part.component),
+        components.empty() ? "it is a single number" : suggest(part.component, components, "the components are"));
   }
+  const std::size_t width = std::max<std::size_t>(components.size(), 1);
   std::vector<double> values;
-  for (std::size_t i = 0; i + components <= stored.size(); i += components) {
+  for (std::size_t i = 0; i + width <= stored.size(); i += width) {
     const double* row = &stored[i];
-    values.push_back(!component.empty() ? row[place] : tensor ? von_mises(row) : norm(row, components));
+    values.push_back(!part.component.empty()  ? row[place]
+                     : part.field == "stress" ? von_mises(row)
+                     : width == 1             ? *row
+                                              : norm(row, width));
   }
   return values;
 }
 
-std::vector<std::array<double, 2>> in_plane(const std::vector<double>& stored, std::size_t components) {
-  std::vector<std::array<double, 2>> points;
-  for (std::size_t i = 0; i + components <= stored.size(); i += components)
-    points.push_back({stored[i], stored[i + 1]});
+std::vector<Point> points_of(const std::vector<double>& stored) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i + 3 <= stored.size(); i += 3)
+    points.push_back({stored[i], stored[i + 1], stored[i + 2]});
   return points;
 }
 
@@ -135,32 +171,31 @@ ParticlePicture read_snapshot(const fs::path& path, const std::string& field, st
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                     "valid HDF5 in " + path.string());
   const std::vector<std::string> names = field_names(file);
-  const std::string name = field.substr(0, field.find('.'));
-  const std::string component = field.size() > name.size() ? field.substr(name.size() + 1) : "";
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw CommandError(ExitCode::not_found, fmt::format("the snapshots have no field \"{}\"", name),
-                       suggest(name, names, "the fields are"));
+  const FieldPart part = parse_field(field);
+  if (std::find(names.begin(), names.end(), part.field) == names.end()) {
+    throw CommandError(ExitCode::not_found, fmt::format("the snapshots have no field \"{}\"", part.field),
+                       suggest(part.field, names, "the fields are"));
   }
-  std::size_t components = 0;
   ParticlePicture picture;
-  const auto times = read_rows<double>(file, "VTKHDF/Steps/Values", 0, 0, components);
+  const auto times = read_rows<double>(file, "VTKHDF/Steps/Values", 0, 0);
   const hsize_t step = nearest_step(times, time);
-  picture.time = times[step];
   const auto particles =
-      static_cast<hsize_t>(read_rows<std::int64_t>(file, "VTKHDF/NumberOfPoints", 0, 0, components).front());
-  const auto rows = [&](const std::string& data) {
-    return read_rows<double>(file, "VTKHDF/" + data, step * particles, particles, components);
+      static_cast<hsize_t>(read_rows<std::int64_t>(file, "VTKHDF/NumberOfPoints", 0, 0).front());
+  const auto rows = [&](const std::string& data, hsize_t first) {
+    return read_rows<double>(file, "VTKHDF/" + data, first, particles);
   };
-  const auto points = rows("Points");
-  picture.position = in_plane(points, components);
-  const auto values = rows("PointData/" + name);
-  picture.values = pick(values, components, component);
-  if (std::find(names.begin(), names.end(), "displacement") != names.end()) {
-    const auto displacement = rows("PointData/displacement");
-    picture.displacement = in_plane(displacement, components);
-  }
+  // What does not change is stored once.
+  const bool constant = part.field == "body" || part.field == "particle_number";
+  const auto components = component_names(file, "VTKHDF/PointData/" + part.field);
+  picture.time = times[step];
+  picture.dimension = read_text(file, "dimension");
+  picture.position = points_of(rows("Points", step * particles));
+  picture.values = pick(rows("PointData/" + part.field, constant ? 0 : step * particles), components, part);
+  picture.field = field;
+  picture.label = label_of(part, std::max<std::size_t>(components.size(), 1));
+  if (std::find(names.begin(), names.end(), "displacement") != names.end())
+    picture.displacement = points_of(rows("PointData/displacement", step * particles));
   picture.units = read_text(file, "units");
-  picture.scene_text = read_text(file, "scene");
   return picture;
 }
 

@@ -18,7 +18,8 @@ struct Render {
   std::string source;
   std::string time = "last";
   std::string picture;
-  RenderStyle style{"stress", 1};
+  std::string field = "stress";
+  RenderStyle style;
 };
 
 std::optional<double> parse_time(const std::string& text) {
@@ -54,8 +55,8 @@ ExitCode render(const GlobalOptions& global, const Render& asked) {
   const fs::path beside = is_file ? fs::path(asked.source).parent_path() : fs::path();
   const std::string stem = is_file ? "particles" : asked.source + "-particles";
   const fs::path picture =
-      asked.picture.empty() ? beside / fmt::format("{}-{}.png", stem, asked.style.field) : fs::path(asked.picture);
-  draw_particles(read_snapshot(file, asked.style.field, time), asked.style, picture);
+      asked.picture.empty() ? beside / fmt::format("{}-{}.png", stem, asked.field) : fs::path(asked.picture);
+  draw_particles(read_snapshot(file, asked.field, time), asked.style, picture);
   std::cout << picture.string() << '\n';
   return ExitCode::success;
 }
@@ -65,14 +66,16 @@ ExitCode render(const GlobalOptions& global, const Render& asked) {
 void declare_render(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto asked = std::make_shared<Render>();
   app.add_option("source", asked->source, "A job's id, last, or a result.vtkhdf")->required();
-  app.add_option("--field", asked->style.field,
-                 "stress (von Mises), stress.xx, velocity (speed), velocity.x, displacement.y, ...")
+  app.add_option("--field", asked->field,
+                 "stress (von Mises), stress.xx, velocity (speed), velocity.x, displacement.y, damage, ...")
       ->capture_default_str();
   app.add_option("--time", asked->time, "Of the snapshot: the nearest to this time, or last")
       ->capture_default_str();
   app.add_option("--deformation", asked->style.deformation_scale,
                  "Draw displacements so many times as large; 0 draws the reference configuration")
       ->capture_default_str();
+  app.add_option("--view", asked->style.view, "From where to look at a solid: x, y, z or oblique (default)");
+  app.add_flag("--mirror", asked->style.mirrored, "Draw the other half of an axisymmetric scene too");
   app.add_option("-O,--picture", asked->picture, "The picture: .png, .svg or .pdf")->type_name("FILE");
   set_action(app, global, action, asked, render);
 }
