@@ -21,7 +21,8 @@ struct Panel {
   std::vector<std::size_t> columns;
 };
 
-/// What a column shows, without whose and which component: `tip.velocity.x` shows "velocity".
+/// What a column shows, without whose and which component: `tip.velocity.x` shows "velocity", `tip.damage`
+/// "damage".
 std::string kind_of(const std::string& column) {
   const std::size_t first = column.find('.');
   const std::size_t last = column.rfind('.');
@@ -29,7 +30,10 @@ std::string kind_of(const std::string& column) {
   const std::string group = column.substr(0, first);
   if (column == "energies.balance_error") return "energy balance error";
   if (group == "energies") return "energy";
-  return first == last ? group : column.substr(first + 1, last - first - 1);
+  if (group == "momentum") return group;
+  std::string kind = column.substr(first + 1, first == last ? std::string::npos : last - first - 1);
+  std::ranges::replace(kind, '_', ' ');
+  return kind;
 }
 
 std::vector<Panel> panels_of(const History& history, const PictureNotes& notes) {

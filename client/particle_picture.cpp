@@ -185,7 +185,9 @@ std::string triad_script(const ParticlePicture& particles, const Scene& scene, c
     for (const Point& point : particles.position) extent.include(point[axis]);
     reach += fmt::format("{}{} {:.4g} to {:.4g}", axis > 0 ? ",  " : "", name, extent.lower, extent.upper);
   }
-  return script + fmt::format("set xlabel {} noenhanced\n", gnuplot_text(with_unit(reach, units.length())));
+  return script + fmt::format("set label {} at screen {},{} noenhanced\n",
+                              gnuplot_text(with_unit(reach, units.length())), 260.0 / layout.width(),
+                              60.0 / layout.height());
 }
 
 void draw_discs(const ParticlePicture& particles, const RenderStyle& style, const fs::path& picture) {
@@ -241,8 +243,8 @@ void draw_bar(const ParticlePicture& particles, const RenderStyle& style, const 
   script.append(margins_script(layout)).append(title_script(particles, style, units));
   script += fmt::format(
       "set xlabel {} noenhanced\nset ylabel {} noenhanced\nset yrange [{}:{}]\nset format y '%.4h'\n"
-      "set offsets graph 0.02, graph 0.02\n"
-      "plot {} using 1:2 with points pointtype 7 pointsize 0.6 linecolor '{}'\n",
+      "set autoscale xfix\nset offsets graph 0.02, graph 0.02\n"
+      "plot {} using 1:2 with points pointtype 7 pointsize 0.9 linecolor '{}'\n",
       gnuplot_text(with_unit("x", units.length())), gnuplot_text(value), values.lower - margin,
       values.upper + margin, gnuplot_text(points.string()), line_colour(0));
   run_gnuplot(script, folder.path());

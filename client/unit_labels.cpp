@@ -47,7 +47,7 @@ const UnitLabels::Derived* UnitLabels::derived() const {
 std::string UnitLabels::of_column(std::string_view column) const {
   if (length_.empty() || contains(column, "balance_error")) return {};
   const Derived* named = derived();
-  if (contains(column, "stress")) {
+  if (contains(column, "stress") || contains(column, "pressure")) {
     return named != nullptr ? std::string(named->stress) : fmt::format("{}/({} {}²)", mass_, length_, time_);
   }
   if (contains(column, "energies")) {

@@ -13,6 +13,14 @@ Field to_field(int value) {
       return Field::velocity;
     case v1::STRESS:
       return Field::stress;
+    case v1::STRAIN:
+      return Field::strain;
+    case v1::DEFORMATION_GRADIENT:
+      return Field::deformation_gradient;
+    case v1::PRESSURE:
+      return Field::pressure;
+    case v1::VON_MISES_STRESS:
+      return Field::von_mises_stress;
     default:
       return Field::unspecified;
   }
@@ -21,10 +29,27 @@ Field to_field(int value) {
 ProbeDefinition to_probe(const v1::Probe& message) {
   ProbeDefinition probe;
   probe.name = message.name();
-  if (message.has_nearest()) probe.where = to_vector(message.nearest());
-  if (message.has_mean()) probe.where = to_region(message.mean());
+  switch (message.where_case()) {
+    case v1::Probe::kNearest:
+      probe.where = to_vector(message.nearest());
+      break;
+    case v1::Probe::kMean:
+      probe.where = to_region(message.mean());
+      break;
+    case v1::Probe::kLargest:
+      probe.where = to_region(message.largest());
+      probe.statistic = Statistic::largest;
+      break;
+    case v1::Probe::kSmallest:
+      probe.where = to_region(message.smallest());
+      probe.statistic = Statistic::smallest;
+      break;
+    case v1::Probe::WHERE_NOT_SET:
+      break;
+  }
   probe.fields = convert_all(message.fields(), to_field);
   probe.body = message.body();
+  probe.history = {message.history().begin(), message.history().end()};
   return probe;
 }
 
@@ -86,6 +111,7 @@ Outputs to_outputs(const v1::Outputs& message) {
     outputs.snapshot_fields = convert_all(message.snapshot_fields(), to_field);
   }
   outputs.probes = convert_all(message.probes(), to_probe);
+  outputs.snapshot_history = {message.snapshot_history().begin(), message.snapshot_history().end()};
   return outputs;
 }
 

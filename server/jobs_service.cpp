@@ -26,15 +26,16 @@ void require_valid(const v1::Scene& scene) {
   }
 }
 
-/// Histories with their times, and snapshots of doubles: three position components and what is asked for.
+/// Histories with their times, and snapshots of doubles: positions, velocities and what is asked for, all of them
+/// with the components of a solid.
 std::int64_t estimate_result_bytes(const Model& model) {
   const OutputPlan& outputs = model.outputs;
   const auto columns = std::ssize(history_columns(model)) + 1;
   const std::int64_t snapshots =
       outputs.samples_per_snapshot == 0 ? 0 : outputs.samples / outputs.samples_per_snapshot + 1;
   std::int64_t components = 6;
-  for (const Field field : outputs.snapshot_fields)
-    components += std::ssize(field_components(field, model.dimension));
+  for (const RecordedField& field : outputs.snapshot_fields)
+    components += std::max<std::int64_t>(1, std::ssize(field_components(field.field, Dimension::solid)));
   return static_cast<std::int64_t>(sizeof(double)) *
          ((outputs.samples + 1) * columns + snapshots * model.particle_count() * components);
 }

@@ -16,8 +16,8 @@ struct Snapshot {
   double time = 0;
   std::vector<double> position;  ///< (n, axes) row-major, axes as vector_components
   std::vector<double> velocity;  ///< (n, axes)
-  /// The scene's snapshot_fields except position and velocity, each (n, components) row-major.
-  std::vector<std::pair<Field, std::vector<double>>> fields;
+  /// As OutputPlan::snapshot_fields, each (n, width) row-major; not a number where there is no such field.
+  std::vector<std::vector<double>> fields;
 };
 
 /// The whole state of a simulation at a sample, enough to go on with the same bits.

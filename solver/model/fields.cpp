@@ -9,37 +9,31 @@ namespace {
 constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
 constexpr std::array<std::string_view, 4> plane_tensor = {"xx", "yy", "xy", "zz"};
 constexpr std::array<std::string_view, 6> solid_tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};
+constexpr std::array<std::string_view, 3> bar_tensor = {"xx", "yy", "zz"};
+constexpr std::array<std::string_view, 5> plane_gradient = {"xx", "xy", "yx", "yy", "zz"};
+constexpr std::array<std::string_view, 9> solid_gradient = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
 
-std::span<const std::string_view> symmetric_tensor_components(Dimension dimension) {
+using Components = std::span<const std::string_view>;
+
+Components components_of(Dimension dimension, Components bar, Components plane, Components solid) {
   switch (dimension) {
     case Dimension::bar:
-      return std::span(plane_tensor).first(1);
+      return bar;
     case Dimension::plane_stress:
     case Dimension::plane_strain:
     case Dimension::axisymmetric:
-      return plane_tensor;
+      return plane;
     case Dimension::solid:
     case Dimension::unspecified:
       break;
   }
-  return solid_tensor;
+  return solid;
 }
 
 }  // namespace
 
 std::span<const std::string_view> vector_components(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::bar:
-      return std::span(axes).first(1);
-    case Dimension::plane_stress:
-    case Dimension::plane_strain:
-    case Dimension::axisymmetric:
-      return std::span(axes).first(2);
-    case Dimension::solid:
-    case Dimension::unspecified:
-      break;
-  }
-  return axes;
+  return components_of(dimension, std::span(axes).first(1), std::span(axes).first(2), axes);
 }
 
 std::span<const std::string_view> field_components(Field field, Dimension dimension) {
@@ -49,7 +43,14 @@ std::span<const std::string_view> field_components(Field field, Dimension dimens
     case Field::velocity:
       return vector_components(dimension);
     case Field::stress:
-      return symmetric_tensor_components(dimension);
+      return components_of(dimension, std::span(bar_tensor).first(1), plane_tensor, solid_tensor);
+    case Field::strain:
+      return components_of(dimension, bar_tensor, plane_tensor, solid_tensor);
+    case Field::deformation_gradient:
+      return components_of(dimension, bar_tensor, plane_gradient, solid_gradient);
+    case Field::pressure:
+    case Field::von_mises_stress:
+    case Field::history:
     case Field::unspecified:
       break;
   }
@@ -66,6 +67,16 @@ std::string_view field_name(Field field) {
       return "velocity";
     case Field::stress:
       return "stress";
+    case Field::strain:
+      return "strain";
+    case Field::deformation_gradient:
+      return "deformation_gradient";
+    case Field::pressure:
+      return "pressure";
+    case Field::von_mises_stress:
+      return "von_mises_stress";
+    case Field::history:
+      return "history";
     case Field::unspecified:
       break;
   }

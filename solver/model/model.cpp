@@ -5,10 +5,11 @@ namespace trajan {
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns;
   for (const Probe& probe : model.outputs.probes) {
-    for (const Field field : probe.fields) {
-      for (const std::string_view component : field_components(field, model.dimension)) {
-        columns.push_back(probe.name + "." + std::string(field_name(field)) + "." + std::string(component));
-      }
+    for (const RecordedField& field : probe.fields) {
+      const std::string name = probe.name + "." + field.name;
+      if (field.components.empty()) columns.push_back(name);
+      for (const std::string_view component : field.components)
+        columns.push_back(std::string(name).append(".").append(component));
     }
   }
   for (const char* energy : {"kinetic", "strain", "work", "dissipated", "total", "balance_error"})

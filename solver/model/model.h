@@ -89,12 +89,12 @@ struct BodyLoad {
   TimeFunction time;
 };
 
-/// Follows one particle, or the volume-weighted mean of several.
+/// Follows one particle, or of several the mean weighted by volume, or each component's extreme value.
 struct Probe {
   std::string name;
   std::vector<std::int64_t> particles;  ///< numbers, ascending; one for a nearest-particle probe
-  bool mean = false;
-  std::vector<Field> fields;
+  Statistic statistic = Statistic::mean;
+  std::vector<RecordedField> fields;
 };
 
 /// The histories' clock: sample i is at i * end_time / samples; a snapshot at every
@@ -102,7 +102,7 @@ struct Probe {
 struct OutputPlan {
   std::int64_t samples = 0;
   std::int64_t samples_per_snapshot = 0;
-  std::vector<Field> snapshot_fields;
+  std::vector<RecordedField> snapshot_fields;  ///< beside positions and velocities
   std::vector<Probe> probes;
 };
 

@@ -12,10 +12,31 @@ namespace {
 constexpr std::int32_t most_samples = 10'000'000;
 constexpr std::int32_t default_snapshots = 10;
 
+constexpr const char* field_remedy =
+    "give POSITION, DISPLACEMENT, VELOCITY, STRESS, STRAIN, DEFORMATION_GRADIENT, PRESSURE or VON_MISES_STRESS";
+
 std::int32_t nearest_smaller_divisor(std::int32_t of, std::int32_t most) {
   std::int32_t divisor = std::min(of, most);
   while (of % divisor != 0) --divisor;
   return divisor;
+}
+
+std::string statistic_name(Statistic statistic) {
+  switch (statistic) {
+    case Statistic::largest:
+      return "largest";
+    case Statistic::smallest:
+      return "smallest";
+    case Statistic::mean:
+      break;
+  }
+  return "mean";
+}
+
+/// Whether any of these particles, in ascending order, is one of the body's.
+bool holds_any(const Body& body, const std::vector<std::int64_t>& particles) {
+  const auto first = std::ranges::lower_bound(particles, body.first_particle);
+  return first != particles.end() && *first < body.first_particle + body.particles;
 }
 
 }  // namespace
@@ -26,8 +47,7 @@ void Validator::check_outputs() {
   clock_complete_ = clock_complete_ && samples;
   model_.outputs.samples = outputs.samples;
   if (samples) check_snapshots();
-  check_fields("outputs.snapshot_fields", outputs.snapshot_fields);
-  model_.outputs.snapshot_fields = outputs.snapshot_fields;
+  check_snapshot_fields();
   if (!check_list("outputs.probes", outputs.probes)) return;
   for (std::size_t i = 0; i < outputs.probes.size(); ++i) {
     check_probe(indexed("outputs.probes", i), outputs.probes[i]);
@@ -58,12 +78,24 @@ void Validator::check_snapshots() {
   }
 }
 
+void Validator::check_snapshot_fields() {
+  const Outputs& outputs = scene_.outputs;
+  check_fields("outputs.snapshot_fields", outputs.snapshot_fields);
+  std::vector<std::size_t> bodies;
+  for (std::size_t body = 0; body < model_.bodies.size(); ++body) {
+    if (is_complete(body)) bodies.push_back(body);
+  }
+  if (!bodies.empty()) check_history("outputs.snapshot_history", outputs.snapshot_history, bodies, false);
+  std::vector<Field> fields = outputs.snapshot_fields;
+  std::erase_if(fields, [](Field field) { return field == Field::position || field == Field::velocity; });
+  model_.outputs.snapshot_fields = recorded_fields(fields, outputs.snapshot_history);
+}
+
 bool Validator::check_fields(const std::string& path, const std::vector<Field>& fields) {
   bool good = true;
   for (std::size_t i = 0; i < fields.size() && violations_.worth_a_hint(); ++i) {
     if (fields[i] == Field::unspecified) {
-      good = violations_.add(indexed(path, i), "", "FIELD_UNSPECIFIED is not a field",
-                             "give POSITION, DISPLACEMENT, VELOCITY or STRESS");
+      good = violations_.add(indexed(path, i), "", "FIELD_UNSPECIFIED is not a field", field_remedy);
     } else if (std::find(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(i), fields[i]) !=
                fields.begin() + static_cast<std::ptrdiff_t>(i)) {
       good = violations_.add(indexed(path, i), std::string(field_name(fields[i])),
@@ -73,20 +105,73 @@ bool Validator::check_fields(const std::string& path, const std::vector<Field>& 
   return good;
 }
 
+std::vector<RecordedField> Validator::recorded_fields(const std::vector<Field>& fields,
+                                                      const std::vector<std::string>& history) const {
+  std::vector<RecordedField> recorded;
+  for (const Field field : fields) {
+    recorded.push_back({field, std::string(field_name(field)), field_components(field, model_.dimension), {}});
+  }
+  for (const std::string& name : history) {
+    recorded.push_back({Field::history, name, {}, {}});
+    for (const Body& body : model_.bodies) recorded.back().history.push_back(history_place(body, name));
+  }
+  return recorded;
+}
+
+std::span<const HistoryVariable> Validator::history_of(const Body& body) const {
+  const MaterialKind* kind =
+      body.material < model_.materials.size() ? model_.materials[body.material].kind : nullptr;
+  return kind == nullptr ? std::span<const HistoryVariable>() : kind->history;
+}
+
+int Validator::history_place(const Body& body, const std::string& name) const {
+  const auto history = history_of(body);
+  const auto found = std::ranges::find(history, name, &HistoryVariable::name);
+  return found == history.end() ? -1 : static_cast<int>(found - history.begin());
+}
+
+bool Validator::check_history(const std::string& path, const std::vector<std::string>& history,
+                              const std::vector<std::size_t>& bodies, bool in_all) {
+  std::vector<std::string> known;
+  for (const std::size_t body : bodies) {
+    for (const HistoryVariable& variable : history_of(model_.bodies[body])) known.emplace_back(variable.name);
+  }
+  std::ranges::sort(known);
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  bool good = true;
+  for (std::size_t i = 0; i < history.size() && violations_.worth_a_hint(); ++i) {
+    const std::string place = indexed(path, i);
+    const auto lacks = [&](std::size_t body) { return history_place(model_.bodies[body], history[i]) < 0; };
+    const auto without = std::ranges::find_if(bodies, lacks);
+    if (std::find(history.begin(), history.begin() + static_cast<std::ptrdiff_t>(i), history[i]) !=
+        history.begin() + static_cast<std::ptrdiff_t>(i)) {
+      good = violations_.add(place, history[i], quoted(history[i]) + " is asked for twice", "name each once");
+    } else if (known.empty()) {
+      good = violations_.add(place, history[i], "the laws of these bodies remember nothing", "leave it out");
+    } else if (!std::ranges::binary_search(known, history[i])) {
+      unknown_name(place, history[i], "history variable", known);
+      good = false;
+    } else if (in_all && without != bodies.end()) {
+      good = violations_.add(place, history[i],
+                             "the law of body " + quoted(model_.bodies[*without].name) + " has no such variable",
+                             "give a body whose law has it");
+    }
+  }
+  return good;
+}
+
 void Validator::check_probe(const std::string& path, const ProbeDefinition& definition) {
   Probe probe;
   probe.name = definition.name;
-  probe.fields = definition.fields;
+  probe.statistic = definition.statistic;
   bool good = is_identifier(definition.name);
   if (definition.name == "energies" || definition.name == "momentum") {
     good = violations_.add(path + ".name", definition.name,
                            quoted(definition.name) + " is the name of other histories", "choose another name");
   }
   good = check_fields(path + ".fields", definition.fields) && good;
-  if (definition.fields.empty()) {
-    good = violations_.add(path + ".fields", "", "the list is empty",
-                           "give POSITION, DISPLACEMENT, VELOCITY or STRESS");
-  }
+  if (definition.fields.empty() && definition.history.empty())
+    good = violations_.add(path + ".fields", "", "the list is empty", field_remedy);
   std::vector<std::size_t> bodies;
   bool complete = true;
   if (!definition.body.empty()) {
@@ -99,11 +184,13 @@ void Validator::check_probe(const std::string& path, const ProbeDefinition& defi
   if (const auto* place = std::get_if<Vector>(&definition.where)) {
     probe.particles = nearest(path + ".nearest", *place, bodies);
   } else if (const auto* region = std::get_if<Region>(&definition.where)) {
-    probe.mean = true;
-    probe.particles = within_region(path + ".mean", *region, bodies);
+    probe.particles = within_region(path + "." + statistic_name(definition.statistic), *region, bodies);
   } else {
-    violations_.add(path, "", "no place is given", "give nearest or mean");
+    violations_.add(path, "", "no place is given", "give nearest, mean, largest or smallest");
   }
+  std::erase_if(bodies, [&](std::size_t body) { return !holds_any(model_.bodies[body], probe.particles); });
+  if (!bodies.empty()) good = check_history(path + ".history", definition.history, bodies, true) && good;
+  probe.fields = recorded_fields(definition.fields, definition.history);
   if (good) {
     model_.outputs.probes.push_back(std::move(probe));
   } else {
@@ -124,8 +211,12 @@ std::vector<std::int64_t> Validator::nearest(const std::string& path, Vector pla
 
 std::vector<std::int64_t> Validator::within_region(const std::string& path, const Region& region,
                                                    const std::vector<std::size_t>& bodies) {
-  if (!check_region(path, region, false) || bodies.empty()) return {};
-  for (const std::size_t body : bodies) selected_ += most_particles_in(model_.bodies[body], region);
+  const bool everywhere = std::holds_alternative<std::monostate>(region);
+  if (bodies.empty() || (!everywhere && !check_region(path, region, false))) return {};
+  for (const std::size_t index : bodies) {
+    const Body& body = model_.bodies[index];
+    selected_ += everywhere ? static_cast<double>(body.particles) : most_particles_in(body, region);
+  }
   std::vector<std::int64_t> particles;
   if (selected_ > most_selected) {
     violations_.add(path, number_text(selected_) + " particles",
@@ -133,7 +224,14 @@ std::vector<std::int64_t> Validator::within_region(const std::string& path, cons
                     "give smaller regions: at most 10^7 particles in all of them together");
     return particles;
   }
-  for (const std::size_t body : bodies) particles_in(model_.bodies[body], region, particles);
+  for (const std::size_t index : bodies) {
+    const Body& body = model_.bodies[index];
+    if (everywhere) {
+      for (std::int64_t i = 0; i < body.particles; ++i) particles.push_back(body.first_particle + i);
+    } else {
+      particles_in(body, region, particles);
+    }
+  }
   if (particles.empty()) {
     violations_.add(path, "", "the region catches no particle", "enlarge the region or move it into a body");
   }

@@ -59,6 +59,16 @@ class Validator {
   void check_time_step();
   void check_outputs();
   bool check_fields(const std::string& path, const std::vector<Field>& fields);
+  /// Names of history variables that the laws of all these bodies have, or of some of them.
+  bool check_history(const std::string& path, const std::vector<std::string>& history,
+                     const std::vector<std::size_t>& bodies, bool in_all);
+  /// Empty as well if the body's law is wrong.
+  std::span<const HistoryVariable> history_of(const Body& body) const;
+  /// Which history variable of the body's law has this name; -1: none.
+  int history_place(const Body& body, const std::string& name) const;
+  std::vector<RecordedField> recorded_fields(const std::vector<Field>& fields,
+                                             const std::vector<std::string>& history) const;
+  void check_snapshot_fields();
   void check_snapshots();
   void check_probe(const std::string& path, const ProbeDefinition& definition);
   std::vector<std::int64_t> nearest(const std::string& path, Vector place, const std::vector<std::size_t>& bodies);

@@ -91,11 +91,9 @@ Histories Histories::create(hid_t file, const Model& model) {
     const std::string group = "/probes/" + probe.name;
     make_group(file, group);
     link_time(file, group);
-    for (Field field : probe.fields) {
-      std::vector<std::string> components;
-      for (std::string_view component : field_components(field, model.dimension))
-        components.emplace_back(component);
-      histories.add_table(file, group + "/" + std::string(field_name(field)), components, chunk_rows);
+    for (const RecordedField& field : probe.fields) {
+      histories.add_table(file, group + "/" + field.name, {field.components.begin(), field.components.end()},
+                          chunk_rows);
     }
   }
   // What follows the probes is named "<group>.<column>".

@@ -12,7 +12,7 @@ namespace trajan::results {
 
 /// The histories of a result file:
 ///   /time                     (rows) times of the samples; its length says how many rows are committed
-///   /probes/<name>/<field>    (rows, components), attribute `components`
+///   /probes/<name>/<field>    (rows, components), attribute `components`; (rows) if it is a number
 ///   /energies/<column>        (rows)
 ///   /momentum/<column>        (rows)
 ///   /columns                  one row per column: name, dataset and component it lies in

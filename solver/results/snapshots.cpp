@@ -13,8 +13,6 @@ namespace {
 constexpr hsize_t rows_per_chunk = 16384;
 constexpr hsize_t steps_per_chunk = 128;
 constexpr std::array<const char*, 4> topologies = {"Vertices", "Lines", "Polygons", "Strips"};
-constexpr std::array<std::string_view, 3> stored_vector = {"x", "y", "z"};
-constexpr std::array<std::string_view, 6> stored_tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};
 
 /// The datasets of Steps beside Values: one integer row per snapshot, telling where its data begin.
 struct Offsets {
@@ -23,11 +21,19 @@ struct Offsets {
   bool advances;  ///< by the number of particles per snapshot; otherwise zero: stored once for all
 };
 
-std::vector<Field> stored_fields(const Model& model) {
-  std::vector<Field> fields = {Field::velocity};
-  for (Field field : model.outputs.snapshot_fields)
-    if (field != Field::position && field != Field::velocity) fields.push_back(field);
+RecordedField vector_field(Field field, const Model& model) {
+  return {field, std::string(field_name(field)), vector_components(model.dimension), {}};
+}
+
+std::vector<RecordedField> stored_fields(const Model& model) {
+  std::vector<RecordedField> fields = {vector_field(Field::velocity, model)};
+  fields.insert(fields.end(), model.outputs.snapshot_fields.begin(), model.outputs.snapshot_fields.end());
   return fields;
+}
+
+/// VTK wants the components that a solid has.
+std::span<const std::string_view> stored_components(const RecordedField& field) {
+  return field_components(field.field, Dimension::solid);
 }
 
 std::vector<Offsets> offsets_of(const Model& model) {
@@ -37,14 +43,9 @@ std::vector<Offsets> offsets_of(const Model& model) {
                                   {"ConnectivityIdOffsets", topologies.size(), false},
                                   {"PointDataOffsets/particle_number", 0, false},
                                   {"PointDataOffsets/body", 0, false}};
-  for (Field field : stored_fields(model))
-    offsets.push_back({"PointDataOffsets/" + std::string(field_name(field)), 0, true});
+  for (const RecordedField& field : stored_fields(model))
+    offsets.push_back({"PointDataOffsets/" + field.name, 0, true});
   return offsets;
-}
-
-std::span<const std::string_view> stored_components(Field field) {
-  if (field == Field::stress) return stored_tensor;
-  return stored_vector;
 }
 
 hsize_t chunk_for(hsize_t rows) { return std::clamp<hsize_t>(rows, 1, rows_per_chunk); }
@@ -112,7 +113,6 @@ void write_identities(hid_t point_data, const Model& model) {
 Snapshots Snapshots::create(hid_t file, const Model& model) {
   Snapshots snapshots;
   snapshots.particles_ = static_cast<hsize_t>(model.particle_count());
-  snapshots.dimension_ = model.dimension;
   const Handle vtk = make_group(file, "VTKHDF");
   write_version(vtk);
   write_type(vtk);
@@ -122,11 +122,13 @@ Snapshots Snapshots::create(hid_t file, const Model& model) {
 
   const Handle point_data = make_group(vtk, "PointData");
   write_identities(point_data, model);
-  snapshots.field_kinds_ = stored_fields(model);
-  for (Field field : snapshots.field_kinds_) {
+  snapshots.position_ = vector_field(Field::position, model);
+  snapshots.kinds_ = stored_fields(model);
+  for (const RecordedField& field : snapshots.kinds_) {
     const auto components = stored_components(field);
-    snapshots.fields_.push_back(Dataset::create<double>(point_data, std::string(field_name(field)),
-                                                        components.size(), chunk_for(snapshots.particles_)));
+    snapshots.fields_.push_back(
+        Dataset::create<double>(point_data, field.name, components.size(), chunk_for(snapshots.particles_)));
+    if (components.empty()) continue;
     set_attribute(snapshots.fields_.back().id(), "components",
                   std::vector<std::string>(components.begin(), components.end()));
   }
@@ -148,12 +150,12 @@ Snapshots Snapshots::open(hid_t file, const Model& model) {
   constexpr auto ignore = Dataset::Checksums::ignore;
   Snapshots snapshots;
   snapshots.particles_ = static_cast<hsize_t>(model.particle_count());
-  snapshots.dimension_ = model.dimension;
   const Handle vtk = open_group(file, "VTKHDF");
   snapshots.points_ = Dataset::open(vtk, "Points", ignore);
-  snapshots.field_kinds_ = stored_fields(model);
-  for (Field field : snapshots.field_kinds_)
-    snapshots.fields_.push_back(Dataset::open(vtk, "PointData/" + std::string(field_name(field)), ignore));
+  snapshots.position_ = vector_field(Field::position, model);
+  snapshots.kinds_ = stored_fields(model);
+  for (const RecordedField& field : snapshots.kinds_)
+    snapshots.fields_.push_back(Dataset::open(vtk, "PointData/" + field.name, ignore));
   snapshots.steps_ = open_group(vtk, "Steps");
   for (const Offsets& offsets : offsets_of(model)) {
     snapshots.offsets_.push_back(Dataset::open(snapshots.steps_, offsets.name, ignore));
@@ -168,35 +170,32 @@ hsize_t Snapshots::count() const {
   return std::min(times_.rows(), static_cast<hsize_t>(integer_attribute(steps_, "NSteps")));
 }
 
-void Snapshots::write_field(hsize_t index, Dataset& data, std::span<const std::string_view> components,
+void Snapshots::write_field(hsize_t index, Dataset& data, const RecordedField& field,
                             std::span<const double> values) {
-  const bool tensor = data.components() == stored_tensor.size();
-  const std::span<const std::string_view> stored =
-      tensor ? std::span<const std::string_view>(stored_tensor) : stored_vector;
-  std::vector<std::size_t> places;
-  for (std::string_view component : components)
+  const auto stored = stored_components(field);
+  const std::size_t width = std::max<std::size_t>(stored.size(), 1);
+  std::vector<std::size_t> places = {0};
+  if (!field.components.empty()) places.clear();
+  for (std::string_view component : field.components)
     places.push_back(std::find(stored.begin(), stored.end(), component) - stored.begin());
-  assert(values.size() == particles_ * components.size());
+  assert(values.size() == particles_ * places.size());
   std::vector<double> block;
   for (hsize_t first = 0; first < particles_; first += rows_per_chunk) {
     const hsize_t count = std::min(rows_per_chunk, particles_ - first);
-    block.assign(count * stored.size(), 0.0);
+    block.assign(count * width, 0.0);
     for (hsize_t p = 0; p < count; ++p)
       for (std::size_t c = 0; c < places.size(); ++c)
-        block[p * stored.size() + places[c]] = values[(first + p) * places.size() + c];
+        block[p * width + places[c]] = values[(first + p) * places.size() + c];
     data.write<double>(index * particles_ + first, block);
   }
 }
 
 void Snapshots::write_arrays(hsize_t index, const Snapshot& snapshot) {
-  write_field(index, points_, vector_components(dimension_), snapshot.position);
-  write_field(index, fields_[0], vector_components(dimension_), snapshot.velocity);
-  for (std::size_t f = 1; f < fields_.size(); ++f) {
-    const auto found = std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
-                                    [&](const auto& field) { return field.first == field_kinds_[f]; });
-    assert(found != snapshot.fields.end());
-    write_field(index, fields_[f], field_components(field_kinds_[f], dimension_), found->second);
-  }
+  assert(snapshot.fields.size() + 1 == fields_.size());
+  write_field(index, points_, position_, snapshot.position);
+  write_field(index, fields_[0], kinds_[0], snapshot.velocity);
+  for (std::size_t f = 1; f < fields_.size(); ++f)
+    write_field(index, fields_[f], kinds_[f], snapshot.fields[f - 1]);
   for (std::size_t o = 0; o < offsets_.size(); ++o) {
     const std::vector<std::int64_t> row(std::max<hsize_t>(offsets_[o].components(), 1),
                                         advances_[o] ? static_cast<std::int64_t>(index * particles_) : 0);

@@ -13,8 +13,9 @@ namespace trajan::results {
 
 /// Particles at some times, in /VTKHDF: VTKHDF 2.0, temporal PolyData, one vertex per particle. Arrays of
 /// all times follow each other; those that never change (numbers, bodies, vertices) are stored once.
-/// Vectors have three components, stresses six: xx, yy, zz, xy, yz, xz. A snapshot is committed when
-/// Steps/Values and then Steps' attribute NSteps say so.
+/// Vectors have three components, symmetric tensors six (xx, yy, zz, xy, yz, xz), others nine, whatever the
+/// scene's dimension; those that it lacks are 0. A snapshot is committed when Steps/Values and then Steps'
+/// attribute NSteps say so.
 class Snapshots {
  public:
   /// Before the file goes to single-writer-multiple-reader mode.
@@ -33,14 +34,13 @@ class Snapshots {
   void cut(hsize_t count, hsize_t file_bytes);
 
  private:
-  void write_field(hsize_t index, Dataset& data, std::span<const std::string_view> components,
-                   std::span<const double> values);
+  void write_field(hsize_t index, Dataset& data, const RecordedField& field, std::span<const double> values);
 
   hsize_t particles_ = 0;
-  Dimension dimension_ = Dimension::unspecified;
   Dataset points_;
-  std::vector<Dataset> fields_;  ///< velocity, then the model's snapshot fields
-  std::vector<Field> field_kinds_;
+  std::vector<Dataset> fields_;       ///< velocity, then the model's snapshot fields
+  std::vector<RecordedField> kinds_;  ///< of fields_
+  RecordedField position_;
   Handle steps_;
   std::vector<Dataset> offsets_;  ///< one integer row per snapshot
   std::vector<bool> advances_;    ///< whether the row is index * particles or zero

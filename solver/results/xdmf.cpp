@@ -1,8 +1,8 @@
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
+#include "solver/model/fields.h"
 #include "solver/results/dataset.h"
 #include "solver/results/durable.h"
 #include "solver/results/results.h"
@@ -52,18 +52,21 @@ void write_attribute(std::ostream& out, const Source& source, const std::string&
   out << "</Attribute>\n";
 }
 
-/// Vectors stay vectors. Stresses become scalars: readers disagree about the order of a tensor.
+/// Vectors stay vectors. Tensors become scalars: readers disagree about the order of a tensor.
 void write_field(std::ostream& out, const Source& source, const std::string& name, hsize_t step) {
   const std::string path = "PointData/" + name;
   const Dataset data = Dataset::open(source.vtk, path, Dataset::Checksums::verify);
   const hsize_t n = source.particles;
-  if (data.components() == 0)
-    return write_attribute(out, source, name, "Scalar", {path, data.rows(), 0, 0, n, 0, 0});
+  if (data.components() == 0) {
+    const bool constant = name == "body" || name == "particle_number";
+    return write_attribute(out, source, name, "Scalar", {path, data.rows(), 0, constant ? 0 : step * n, n, 0, 0});
+  }
   if (data.components() == 3)
     return write_attribute(out, source, name, "Vector", {path, data.rows(), 3, step * n, n, 0, 3});
-  const char* components[] = {"xx", "yy", "zz", "xy", "yz", "xz"};
-  for (hsize_t c = 0; c < std::size(components); ++c)
-    write_attribute(out, source, name + "_" + components[c], "Scalar",
+  const Field any_tensor = data.components() == 9 ? Field::deformation_gradient : Field::stress;
+  const auto components = field_components(any_tensor, Dimension::solid);
+  for (hsize_t c = 0; c < components.size(); ++c)
+    write_attribute(out, source, std::string(name).append("_").append(components[c]), "Scalar",
                     {path, data.rows(), data.components(), step * n, n, c, 1});
 }
 

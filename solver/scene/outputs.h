@@ -11,14 +11,30 @@
 /// What is recorded and measured, as scenes ask for it.
 namespace trajan {
 
-enum class Field { unspecified, position, displacement, velocity, stress };
+enum class Field {
+  unspecified,
+  position,
+  displacement,
+  velocity,
+  stress,
+  strain,
+  deformation_gradient,
+  pressure,
+  von_mises_stress,
+  history  ///< what laws remember; scenes name it
+};
 
-/// `where`: Vector for the nearest particle, Box or Disc for the mean over a region.
+/// What a probe tells of the particles in a region.
+enum class Statistic { mean, largest, smallest };
+
+/// `where`: Vector for the nearest particle, a region for a statistic of the particles in it.
 struct ProbeDefinition {
   std::string name;
   std::variant<std::monostate, Vector, Region> where;
   std::vector<Field> fields;
   std::string body;
+  std::vector<std::string> history = {};
+  Statistic statistic = Statistic::mean;
 };
 
 /// `snapshots` empty: 10 or the nearest smaller divisor of `samples`.
@@ -27,6 +43,7 @@ struct Outputs {
   std::optional<std::int32_t> snapshots;
   std::vector<Field> snapshot_fields = {Field::displacement, Field::stress};
   std::vector<ProbeDefinition> probes;
+  std::vector<std::string> snapshot_history;
 };
 
 struct FinalValue {};

@@ -11,10 +11,10 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// F' = (1 + dt L) F
-template <Dimension D>
+template <Dimension D, bool RateForm>
 [[gnu::flatten]] void deform_updated(Block& block) {
   constexpr int N = grid_axes(D);
-  const DeformationArrays<N, stores_rest_stretch(D, false)> deformation(block);
+  const DeformationArrays<N, stores_rest_stretch(D, RateForm)> deformation(block);
   const GradientArrays<D> gradient{*block.scratch};
   const double dt = deformation_time(block);
   std::int64_t inverted = 0;

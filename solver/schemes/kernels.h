@@ -33,7 +33,10 @@ struct LawKernels {
   int history;                            ///< how many history variables
   bool rate_form;
   Stage force;   ///< state of the particles -> scratch.force, scratch.virial_rest
-  Stage deform;  ///< scratch.gradient, scratch.gradient_rest, sweep.drift, scratch.deform_share -> state of the particles
+  Stage deform;  ///< scratch.gradient, scratch.gradient_rest, sweep.drift, scratch.deform_share -> state of the
+                 ///< particles
+  Stage track;   ///< scratch.gradient, sweep.drift -> deformation gradient; nullptr: the law itself needs it
+  std::span<const Attribute> tracked;  ///< what particles carry for that
   /// Cauchy stress of the block into arrays xx (bar), xx, yy, xy, zz (plane, axisymmetric) or
   /// xx, yy, zz, xy, yz, xz (solid).
   void (*stress)(const Block&, double* const* out);

@@ -13,12 +13,23 @@ constexpr Stage deform_stage() {
   if constexpr (Law::rate_form) {
     return TotalLagrangian ? &in_turn<&deform_total<D, true>, &advance<Law, D>> : &advance<Law, D>;
   } else {
-    constexpr Stage follow = TotalLagrangian ? &deform_total<D, false> : &deform_updated<D>;
+    constexpr Stage follow = TotalLagrangian ? &deform_total<D, false> : &deform_updated<D, false>;
     if constexpr (rest_is_free(D) || history_count<Law>() > 0)
       return &in_turn<follow, &settle<Law, D>>;
     else
       return follow;
   }
+}
+
+/// The attributes of a deformation gradient, after others.
+template <Dimension D, bool RateForm>
+std::vector<Attribute> deformation_gradient(std::vector<Attribute> attributes = {}) {
+  constexpr int N = grid_axes(D);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if ((i < N && j < N) || (i == j && stores_rest_stretch(D, RateForm)))
+        attributes.push_back(deformation_attribute(i, j));
+  return attributes;
 }
 
 /// What particles carry for a law: in a finite law F, in a rate law stress and volume, and F too if the scheme
@@ -32,11 +43,7 @@ std::vector<Attribute> carried() {
     for (int k = 0; k < (rest_is_free(D) ? N : 3); ++k) carried.push_back(after(Attribute::stress_xx, k));
     for (int k = 0; k < SymmetricTensor<N>::off_count; ++k) carried.push_back(after(Attribute::stress_xy, k));
   }
-  if (!Law::rate_form || TotalLagrangian)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if ((i < N && j < N) || (i == j && stores_rest_stretch(D, Law::rate_form)))
-          carried.push_back(deformation_attribute(i, j));
+  if (!Law::rate_form || TotalLagrangian) carried = deformation_gradient<D, Law::rate_form>(std::move(carried));
   for (int h = 0; h < history_count<Law>(); ++h) carried.push_back(after(Attribute::history_0, h));
   return carried;
 }
@@ -59,6 +66,9 @@ const LawKernels* table() {
   constexpr Stage force =
       pulls_back ? &in_turn<&Stages::force, &pull_back_force<D, Law::rate_form>> : &Stages::force;
   static const std::vector<Attribute> attributes = carried<Law, D, TotalLagrangian>();
+  constexpr bool tracks = Law::rate_form && !TotalLagrangian;
+  static const std::vector<Attribute> tracked =
+      tracks ? deformation_gradient<D, Law::rate_form>() : std::vector<Attribute>();
   static const LawKernels kernels{&make_law<Law>,
                                   &begin_history<Law>,
                                   attributes,
@@ -66,6 +76,8 @@ const LawKernels* table() {
                                   Law::rate_form,
                                   force,
                                   deform_stage<Law, D, TotalLagrangian>(),
+                                  tracks ? &deform_updated<D, Law::rate_form> : nullptr,
+                                  tracked,
                                   &Stages::stress,
                                   &Stages::template measure<TotalLagrangian>};
   return &kernels;

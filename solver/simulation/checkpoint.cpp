@@ -77,7 +77,10 @@ Checkpoint Simulation::save() {
 }
 
 Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkpoint)
-    : model_(model), scheme_(*find_scheme(model.numerics.scheme)), executor_(model, threads) {
+    : model_(model),
+      scheme_(*find_scheme(model.numerics.scheme)),
+      executor_(model, threads),
+      fields_(model, executor_) {
   for (std::size_t b = 0; b < executor_.bodies().size(); ++b) {
     BodyParticles& body = executor_.bodies()[b];
     for (int a = 0; a < attribute_count; ++a)

@@ -142,11 +142,19 @@ std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) con
     case Pass::displace:
       return {motion_.displace};
     case Pass::deform:
-      return {body.law->deform};
+      return deform_stages(body);
     case Pass::deform_by_half:
-      return {take_half, body.law->deform, take_whole};
+      stages = deform_stages(body);
+      stages.insert(stages.begin(), take_half);
+      stages.push_back(take_whole);
+      return stages;
   }
   return stages;
+}
+
+std::vector<Stage> Executor::deform_stages(const BodyParticles& body) const {
+  if (body.law->track == nullptr || body[Attribute::deformation_xx].empty()) return {body.law->deform};
+  return {body.law->deform, body.law->track};
 }
 
 /// Bits of the node quantities that a pass gathers.

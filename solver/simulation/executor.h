@@ -71,9 +71,8 @@ class Executor {
 
   /// Sums and maxima over all particles, in an order that does not depend on the number of threads.
   Totals totals();
-  /// Cauchy stress of all particles of a body, by slot: xx, yy, xy, zz.
-  std::array<std::vector<double>, 4> stress(std::size_t body) const;
-  std::array<double, 4> stress(const Slot& particle) const;
+  /// Cauchy stress of a particle, components as field_components; `out` has room for six.
+  void stress(const Slot& particle, double* out) const;
 
   std::vector<BodyParticles>& bodies() { return bodies_; }
   const std::vector<BodyParticles>& bodies() const { return bodies_; }
@@ -98,6 +97,7 @@ class Executor {
   Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
   /// What a pass does to the particles of a body, one stage after the other.
   std::vector<Stage> stages_of(Pass pass, const BodyParticles& body) const;
+  std::vector<Stage> deform_stages(const BodyParticles& body) const;
   unsigned gathered(Pass pass) const;
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;

@@ -32,27 +32,11 @@ Totals Executor::totals() {
   return all;
 }
 
-std::array<std::vector<double>, 4> Executor::stress(std::size_t body) const {
-  const BodyParticles& particles = bodies_[body];
-  std::array<std::vector<double>, 4> stress;
-  for (std::vector<double>& component : stress) component.resize(particles.size());
-  for (const Tile& tile : tiles_.tiles())
-    for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
-      const BlockRange& range = tiles_.blocks()[b];
-      if (range.body != body) continue;
-      double* out[4];
-      for (int c = 0; c < 4; ++c) out[c] = stress[c].data() + range.begin;
-      particles.law->stress(make_block(tile, range, *scratch_[0]), out);
-    }
-  return stress;
-}
-
-std::array<double, 4> Executor::stress(const Slot& slot) const {
-  std::array<double, 4> stress;
-  double* const out[4] = {&stress[0], &stress[1], &stress[2], &stress[3]};
+void Executor::stress(const Slot& slot, double* out) const {
+  std::array<double*, 6> components;
+  for (std::size_t c = 0; c < components.size(); ++c) components[c] = out + c;
   const BlockRange one{slot.index, 1, static_cast<std::uint16_t>(slot.body)};
-  bodies_[slot.body].law->stress(make_block(tiles_.tiles()[0], one, *scratch_[0]), out);
-  return stress;
+  bodies_[slot.body].law->stress(make_block(tiles_.tiles()[0], one, *scratch_[0]), components.data());
 }
 
 void Executor::check(const Trouble& trouble) const {

@@ -58,6 +58,16 @@ void fill(BodyParticles& made, const Model& model, const Body& body) {
     volume[i] = reference_volume.empty() ? body.particle_volume : reference_volume[i];
 }
 
+/// Whether a deformation gradient is asked for that laws may not need.
+bool records_deformation(const Model& model) {
+  const auto follows = [](const RecordedField& field) {
+    return field.field == Field::strain || field.field == Field::deformation_gradient;
+  };
+  return std::ranges::any_of(model.outputs.snapshot_fields, follows) ||
+         std::ranges::any_of(model.outputs.probes,
+                             [&](const Probe& probe) { return std::ranges::any_of(probe.fields, follows); });
+}
+
 void begin_history(BodyParticles& made) {
   std::array<double, most_history_variables> history{};
   for (std::size_t i = 0; made.law->history > 0 && i < made.size(); ++i) {
@@ -108,6 +118,8 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   if (total) add_vector(displacement_x);
   if (model.dimension == Dimension::axisymmetric) add({reference_volume}, "dimension axisymmetric");
   for (Attribute a : law.attributes) add({a}, law_name);
+  if (records_deformation(model))
+    for (Attribute a : law.tracked) add({a}, "outputs of strain");
   return needs;
 }
 

@@ -16,7 +16,10 @@ constexpr double energy_growth_bound = 10;
 }  // namespace
 
 Simulation::Simulation(const Model& model, int threads)
-    : model_(model), scheme_(*find_scheme(model.numerics.scheme)), executor_(model, threads) {
+    : model_(model),
+      scheme_(*find_scheme(model.numerics.scheme)),
+      executor_(model, threads),
+      fields_(model, executor_) {
   executor_.sort();
   follow_probes();
   totals_ = executor_.totals();
@@ -85,8 +88,9 @@ void Simulation::measure() {
   for (double term : {total, work, dissipated, initial_energy_})
     largest_energy_ = std::max(largest_energy_, std::abs(term));
   balance_error_ = largest_energy_ > 0 ? (total + dissipated - work - initial_energy_) / largest_energy_ : 0.0;
-  columns_.insert(columns_.end(), {totals_.kinetic_energy, totals_.strain_energy, work, dissipated, total,
-                                   balance_error_, totals_.momentum[0], totals_.momentum[1]});
+  columns_.insert(columns_.end(),
+                  {totals_.kinetic_energy, totals_.strain_energy, work, dissipated, total, balance_error_});
+  for (int axis = 0; axis < grid_axes(model_.dimension); ++axis) columns_.push_back(totals_.momentum[axis]);
   largest_input_ = std::max({largest_input_, initial_energy_, std::abs(work)});
   if (total <= energy_growth_bound * largest_input_) return;
   executor_.diverge("the energy has grown to " + std::to_string(total / largest_input_) +
@@ -105,53 +109,32 @@ void Simulation::follow_probes() {
   probed_sortings_ = executor_.sortings();
 }
 
-Vector Simulation::position(const Slot& slot) const {
-  const BodyParticles& body = executor_.bodies()[slot.body];
-  Vector at{body[Attribute::position_x][slot.index], body[Attribute::position_y][slot.index]};
-  if (scheme_.total_lagrangian) {
-    at.x += body[Attribute::displacement_x][slot.index];
-    at.y += body[Attribute::displacement_y][slot.index];
-  }
-  return at;
-}
-
-std::array<double, 4> Simulation::value(Field field, std::size_t probed) const {
-  const Slot& slot = probed_slots_[probed];
-  const BodyParticles& body = executor_.bodies()[slot.body];
-  const Vector at = position(slot);
-  switch (field) {
-    case Field::position:
-      return {at.x, at.y};
-    case Field::displacement:
-      return {at.x - probed_reference_[probed].x, at.y - probed_reference_[probed].y};
-    case Field::velocity:
-      return {body[Attribute::velocity_x][slot.index], body[Attribute::velocity_y][slot.index]};
-    case Field::stress:
-      return executor_.stress(slot);
-    case Field::unspecified:
-      break;
-  }
-  return {};
-}
-
 void Simulation::probe() {
   follow_probes();
   std::size_t first = 0;
   for (const Probe& probe : model_.outputs.probes) {
-    for (Field field : probe.fields) {
-      std::array<double, 4> sum{};
-      double weights = 0;
-      for (std::size_t p = first; p < first + probe.particles.size(); ++p) {
-        const double weight = probe.mean ? model_.bodies[probed_slots_[p].body].particle_volume : 1.0;
-        const std::array<double, 4> v = value(field, p);
-        for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * v[c];
-        weights += weight;
-      }
-      for (std::size_t c = 0; c < field_components(field, model_.dimension).size(); ++c)
-        columns_.push_back(sum[c] / weights);
-    }
+    for (const RecordedField& field : probe.fields) record(probe, field, first);
     first += probe.particles.size();
   }
+}
+
+void Simulation::record(const Probe& probe, const RecordedField& field, std::size_t first) {
+  std::array<double, most_components> value, result{};
+  double weights = 0;
+  for (std::size_t p = first; p < first + probe.particles.size(); ++p) {
+    fields_.read(field, probed_slots_[p], probed_reference_[p], value);
+    // A single particle's values go through without rounding.
+    const double weight = probe.particles.size() > 1 ? fields_.reference_volume(probed_slots_[p]) : 1.0;
+    for (std::size_t c = 0; c < field.width(); ++c) {
+      if (probe.statistic == Statistic::mean)
+        result[c] += weight * value[c];
+      else if (p == first || (value[c] > result[c]) == (probe.statistic == Statistic::largest))
+        result[c] = value[c];
+    }
+    weights += weight;
+  }
+  if (probe.statistic != Statistic::mean) weights = 1;
+  for (std::size_t c = 0; c < field.width(); ++c) columns_.push_back(result[c] / weights);
 }
 
 }  // namespace trajan

@@ -6,6 +6,7 @@
 
 #include "solver/recorder.h"
 #include "solver/simulation/executor.h"
+#include "solver/simulation/particle_fields.h"
 
 namespace trajan {
 
@@ -47,13 +48,13 @@ class Simulation {
   void measure();
   void probe();
   void follow_probes();
-  Vector position(const Slot& slot) const;
-  /// A field of the probed particle of this index.
-  std::array<double, 4> value(Field field, std::size_t probed) const;
+  /// A field's columns of a probe, whose particles are those from `first` on of all probed ones.
+  void record(const Probe& probe, const RecordedField& field, std::size_t first);
 
   const Model& model_;
   const Scheme& scheme_;
   Executor executor_;
+  ParticleFields fields_;
   std::int64_t sample_ = 0, steps_ = 0;
   std::int64_t step_in_interval_ = 0, steps_in_interval_ = 0;
   double time_step_ = 0;

@@ -27,6 +27,7 @@ outputs {
   snapshots: 100
   probes { name: "tip" nearest { x: 1 y: 0.25 } fields: [DISPLACEMENT, VELOCITY] }
   probes { name: "whole" mean { box { lower { x: 0 y: 0 } upper { x: 1.5 y: 0.5 } } } fields: STRESS }
+  probes { name: "reach" largest {} fields: [POSITION, VON_MISES_STRESS] }
 }
 measures { name: "last_tip_displacement" quantity: "tip.displacement.x" final {} }
 measures { name: "largest_tip_displacement" quantity: "tip.displacement.x" extreme {} exact: "0.1/omega" tolerance: 0.1 }

@@ -123,6 +123,8 @@ def column_of_file(file, column):
     if group in ("energies", "momentum"):
         return file[group][names[0]][:]
     dataset = file["probes"][group][names[0]]
+    if len(names) == 1:
+        return dataset[:]
     components = [name.decode() if isinstance(name, bytes) else name for name in dataset.attrs["components"]]
     return dataset[:, components.index(names[1])]
 

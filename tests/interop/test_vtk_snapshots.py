@@ -2,16 +2,15 @@
 
 import pytest
 
-import sample_result as sample
-from sample_result import directory  # noqa: F401  (a fixture)
+from sample_result import SOLID, TIMES, sample  # noqa: F401  (a fixture)
 
 np = pytest.importorskip("numpy")
 vtk_to_numpy = pytest.importorskip("vtkmodules.util.numpy_support").vtk_to_numpy
 vtkHDFReader = pytest.importorskip("vtkmodules.vtkIOHDF").vtkHDFReader
 
 
-def expected(step, what, components):
-    return np.array([[sample.particle_value(step, p, what, c) for c in components] for p in range(sample.PARTICLES)])
+def expected(sample, step, what, kind):  # noqa: F811
+    return np.array(sample.stored(step, what, kind)).T
 
 
 def grid_at(reader, time):
@@ -35,42 +34,38 @@ def array(grid, name):
     return vtk_to_numpy(values)
 
 
-def check_common(grid, step):
-    assert grid.GetNumberOfPoints() == sample.PARTICLES
-    assert grid.GetNumberOfCells() == sample.PARTICLES
+def check_common(grid, sample, step):  # noqa: F811
+    assert grid.GetNumberOfPoints() == sample.particles
+    assert grid.GetNumberOfCells() == sample.particles
     points = vtk_to_numpy(grid.GetPoints().GetData())
-    assert np.array_equal(points[:, :2], expected(step, "position", (0, 1)).astype(points.dtype))
-    assert not points[:, 2].any()
+    assert np.array_equal(points, expected(sample, step, "position", "vector").astype(points.dtype))
     for name in ("velocity", "displacement"):
-        values = array(grid, name)
-        assert values.shape == (sample.PARTICLES, 3)
-        assert np.array_equal(values[:, :2], expected(step, name, (0, 1))), name
-        assert not values[:, 2].any()
-    assert np.array_equal(array(grid, "particle_number"), np.arange(sample.PARTICLES))
-    assert np.array_equal(array(grid, "body"), np.arange(sample.PARTICLES) // sample.BODY_PARTICLES)
+        assert np.array_equal(array(grid, name), expected(sample, step, name, "vector")), name
+    assert np.array_equal(array(grid, "pressure"), sample.component(step, "pressure", 0))
+    assert np.array_equal(array(grid, "particle_number"), np.arange(sample.particles))
+    assert np.array_equal(array(grid, "body"), np.arange(sample.particles) // sample.body_particles)
 
 
-def test_vtk_reads_every_snapshot(directory):  # noqa: F811
+def test_vtk_reads_every_snapshot(sample):  # noqa: F811
     reader = vtkHDFReader()
-    reader.SetFileName(str(directory / "result.vtkhdf"))
-    assert times_of(reader) == sample.TIMES
+    reader.SetFileName(str(sample.directory / "result.vtkhdf"))
+    assert times_of(reader) == TIMES
     # Also backwards: a reader may ask for any time.
     for step in [0, 1, 2, 3, 4, 2, 0]:
-        grid = grid_at(reader, sample.TIMES[step])
-        check_common(grid, step)
-        assert grid.GetVerts().GetNumberOfCells() == sample.PARTICLES
-        # Stored as xx, yy, zz, xy, yz, xz; recorded as xx, yy, xy, zz.
-        stress = array(grid, "stress")
-        assert np.array_equal(stress[:, :4], expected(step, "stress", (0, 1, 3, 2)))
-        assert not stress[:, 4:].any()
+        grid = grid_at(reader, TIMES[step])
+        check_common(grid, sample, step)
+        assert grid.GetVerts().GetNumberOfCells() == sample.particles
+        for name in ("stress", "deformation_gradient"):
+            assert np.array_equal(array(grid, name), expected(sample, step, name, name)), name
 
 
-def test_vtk_reads_every_snapshot_through_the_xdmf_file(directory):  # noqa: F811
+def test_vtk_reads_every_snapshot_through_the_xdmf_file(sample):  # noqa: F811
     reader = pytest.importorskip("vtkmodules.vtkIOXdmf2").vtkXdmfReader()
-    reader.SetFileName(str(directory / "result.xmf2"))
-    assert times_of(reader) == sample.TIMES
-    for step, time in enumerate(sample.TIMES):
+    reader.SetFileName(str(sample.directory / "result.xmf2"))
+    assert times_of(reader) == TIMES
+    for step, time in enumerate(TIMES):
         grid = grid_at(reader, time)
-        check_common(grid, step)
-        for name, component in (("stress_xx", 0), ("stress_yy", 1), ("stress_xy", 2), ("stress_zz", 3)):
-            assert np.array_equal(array(grid, name), expected(step, "stress", (component,))[:, 0]), name
+        check_common(grid, sample, step)
+        for name in ("stress", "deformation_gradient"):
+            for component, values in zip(SOLID[name], sample.stored(step, name, name)):
+                assert np.array_equal(array(grid, f"{name}_{component}"), values), (name, component)

@@ -88,11 +88,38 @@ TEST(Model, ProbesFollowTheNearestParticleOrAllOfARegion) {
   const Model model = validate(scene);
   ASSERT_EQ(model.outputs.probes[0].particles.size(), 1u);
   EXPECT_GE(model.outputs.probes[0].particles[0], 512) << "the ball is nearer than the beam";
-  EXPECT_FALSE(model.outputs.probes[0].mean);
   EXPECT_EQ(model.outputs.probes[1].particles.size(), 64u);
-  EXPECT_TRUE(model.outputs.probes[1].mean);
+  EXPECT_EQ(model.outputs.probes[1].statistic, Statistic::mean);
   scene.outputs.probes[0].body = "beam";
   EXPECT_LT(validate(scene).outputs.probes[0].particles.at(0), 512);
+}
+
+TEST(Model, ProbeOfARegionWithoutShapeFollowsAllParticles) {
+  Scene scene = sample_scene();
+  scene.outputs.probes[1].where = Region{};
+  scene.outputs.probes[1].statistic = Statistic::largest;
+  EXPECT_EQ(validate(scene).outputs.probes[1].particles.size(), 512u);
+  scene.outputs.probes[1].body = "";
+  const Model model = validate(scene);
+  EXPECT_EQ(std::ssize(model.outputs.probes[1].particles), model.particle_count());
+  EXPECT_EQ(model.outputs.probes[1].statistic, Statistic::largest);
+}
+
+TEST(Model, NumbersHaveAColumnWithoutComponent) {
+  Scene scene = sample_scene();
+  scene.outputs.probes[0].fields = {Field::pressure, Field::velocity};
+  scene.measures.clear();
+  EXPECT_EQ(history_columns(validate(scene))[0], "tip.pressure");
+  EXPECT_EQ(history_columns(validate(scene))[1], "tip.velocity.x");
+}
+
+TEST(Model, SnapshotsHavePositionsAndVelocitiesOnlyOnce) {
+  Scene scene = sample_scene();
+  scene.outputs.snapshot_fields = {Field::position, Field::strain, Field::velocity};
+  const Model model = validate(scene);
+  ASSERT_EQ(model.outputs.snapshot_fields.size(), 1u);
+  EXPECT_EQ(model.outputs.snapshot_fields[0].name, "strain");
+  EXPECT_EQ(model.outputs.snapshot_fields[0].width(), 4u);
 }
 
 TEST(Model, SnapshotsAreTenOrTheNearestSmallerDivisor) {

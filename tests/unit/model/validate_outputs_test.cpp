@@ -55,8 +55,16 @@ const std::vector<Mistake> outputs = {
        s.outputs.probes[1].where = Region{Disc{{4, 1.5}, 0.2}};
      },
      "outputs.probes[1].mean", "no particle"},
-    {"ProbeWithoutRegion", [](Scene& s) { s.outputs.probes[1].where = Region{}; }, "outputs.probes[1].mean",
-     "no shape"},
+    {"ExtremeOfNothing",
+     [](Scene& s) {
+       s.outputs.probes[1].where = Region{Box{{-1, -1}, {0, 0}}};
+       s.outputs.probes[1].statistic = Statistic::largest;
+     },
+     "outputs.probes[1].largest", "no particle"},
+    {"HistoryOfALawThatRemembersNothing", [](Scene& s) { s.outputs.probes[1].history = {"damage"}; },
+     "outputs.probes[1].history[0]", "remember nothing"},
+    {"SnapshotHistoryOfLawsThatRememberNothing", [](Scene& s) { s.outputs.snapshot_history = {"damage"}; },
+     "outputs.snapshot_history[0]", "remember nothing"},
     {"ProbeAtInfinity",
      [](Scene& s) {
        s.outputs.probes[0].where = Vector{infinity, 0};

@@ -22,19 +22,23 @@ TemporaryDirectory::~TemporaryDirectory() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-Model make_model(int samples, int snapshots) {
+Model make_model(int samples, int snapshots, Dimension dimension) {
   Scene scene;
   scene.name = "rehearsal";
   scene.description = "two blocks";
   scene.units = "m, kg, s";
-  scene.domain = {Dimension::plane_strain, {0, 0}, {8, 4}, 0.5, 1};
+  scene.domain = {dimension, {0, 0, 0}, {8, 4, 4}, 0.5, 1};
   scene.materials = {{"rubber", 1000, "linear_elastic", {{"youngs_modulus", 1e6}, {"poissons_ratio", 0.3}}}};
-  scene.bodies = {{"left", "rubber", Box{{1, 1}, {3, 3}}, 2, {}}, {"right", "rubber", Box{{5, 1}, {7, 3}}, 2, {}}};
+  scene.bodies = {{"left", "rubber", Box{{1, 1, 1}, {3, 3, 3}}, 2, {}},
+                  {"right", "rubber", Box{{5, 1, 1}, {7, 3, 3}}, 2, {}}};
   scene.analysis.end_time = 2;
   scene.outputs.samples = samples;
   scene.outputs.snapshots = snapshots;
-  scene.outputs.probes = {{"tip", Vector{7, 2}, {Field::displacement, Field::stress}, "right"},
-                          {"middle", Region{Box{{1, 1}, {3, 3}}}, {Field::velocity}, "left"}};
+  scene.outputs.snapshot_fields = {Field::displacement, Field::stress, Field::deformation_gradient,
+                                   Field::pressure};
+  scene.outputs.probes = {
+      {"tip", Vector{7, 2, 2}, {Field::displacement, Field::stress}, "right"},
+      {"middle", Region{Box{{1, 1, 1}, {3, 3, 3}}}, {Field::velocity, Field::pressure}, "left"}};
   scene.measures = {{"deflection", "tip.displacement.y", FinalValue{}, 0, {}, "0.25", "a handbook, §1", 0.01},
                     {"peak_stress", "tip.stress.xx", ExtremeValue{}, 0, {}, "", "", {}}};
   return validate(scene);
@@ -83,10 +87,8 @@ Snapshot make_snapshot(const Model& model, std::int64_t row) {
                     particle_array(model, row, "position", axes),
                     particle_array(model, row, "velocity", axes),
                     {}};
-  for (Field field : model.outputs.snapshot_fields)
-    if (field != Field::position && field != Field::velocity)
-      snapshot.fields.emplace_back(
-          field, particle_array(model, row, field_name(field), field_components(field, model.dimension).size()));
+  for (const RecordedField& field : model.outputs.snapshot_fields)
+    snapshot.fields.push_back(particle_array(model, row, field.name, field.width()));
   return snapshot;
 }
 

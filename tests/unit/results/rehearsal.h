@@ -24,7 +24,7 @@ class TemporaryDirectory {
 };
 
 /// Two bodies, two probes, one measure with an exact value and one without.
-Model make_model(int samples, int snapshots);
+Model make_model(int samples, int snapshots, Dimension dimension = Dimension::plane_strain);
 Provenance provenance();
 
 double time_of(const Model& model, std::int64_t row);

@@ -57,8 +57,7 @@ TEST_F(EveryField, UsesTheWholeSchema) {
   // A scene has one dimension; what is unspecified is another test's.
   EXPECT_THAT(missing, ElementsAre("trajan.v1.Domain.AXISYMMETRIC", "trajan.v1.Domain.BAR",
                                    "trajan.v1.Domain.DIMENSION_UNSPECIFIED", "trajan.v1.Domain.PLANE_STRESS",
-                                   "trajan.v1.Domain.SOLID",
-                                   "trajan.v1.EdgeTraction.EDGE_UNSPECIFIED"));
+                                   "trajan.v1.Domain.SOLID", "trajan.v1.EdgeTraction.EDGE_UNSPECIFIED"));
 }
 
 TEST_F(EveryField, KeepsNamesConstantsAndDomain) {
@@ -171,6 +170,21 @@ TEST_F(EveryField, KeepsOutputs) {
   EXPECT_THAT(tip.fields, ElementsAre(Field::position, Field::displacement));
   expect_box(std::get<Region>(scene_.outputs.probes[1].where), 16.1, 16.2, 16.3, 16.4);
   EXPECT_THAT(scene_.outputs.probes[1].fields, ElementsAre(Field::stress));
+}
+
+TEST(ConvertScene, KeepsEveryFieldAndStatisticOfOutputs) {
+  const Scene scene =
+      to_scene(parse("outputs { snapshot_fields: [STRAIN, DEFORMATION_GRADIENT, PRESSURE, VON_MISES_STRESS]"
+                     "  snapshot_history: \"damage\""
+                     "  probes { largest {} history: \"temperature\" } probes { smallest { box {} } } }"));
+  EXPECT_THAT(scene.outputs.snapshot_fields,
+              ElementsAre(Field::strain, Field::deformation_gradient, Field::pressure, Field::von_mises_stress));
+  EXPECT_THAT(scene.outputs.snapshot_history, ElementsAre("damage"));
+  EXPECT_EQ(scene.outputs.probes[0].statistic, Statistic::largest);
+  EXPECT_EQ(std::get<Region>(scene.outputs.probes[0].where).index(), 0u);
+  EXPECT_THAT(scene.outputs.probes[0].history, ElementsAre("temperature"));
+  EXPECT_EQ(scene.outputs.probes[1].statistic, Statistic::smallest);
+  EXPECT_EQ(std::get<Region>(scene.outputs.probes[1].where).index(), 1u);
 }
 
 TEST_F(EveryField, KeepsMeasures) {

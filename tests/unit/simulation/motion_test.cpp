@@ -47,8 +47,8 @@ TEST_P(Motion, CarriesARigidTranslationExactly) {
   const RunResult result = run(model, {}, memory, nullptr);
   ASSERT_EQ(result.end, RunEnd::finished);
   const Snapshot& last = memory.snapshots.back();
-  const std::vector<double>& displacement = last.fields.at(0).second;
-  const std::vector<double>& stress = last.fields.at(1).second;
+  const std::vector<double>& displacement = last.fields.at(0);
+  const std::vector<double>& stress = last.fields.at(1);
   // A node's velocity is a quotient of sums of some ten terms, and their rounding makes a strain of that
   // over the cell size in every step.
   const auto steps = static_cast<double>(result.progress.step);
