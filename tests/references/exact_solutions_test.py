@@ -4,9 +4,13 @@ import unittest
 
 import numpy as np
 
+import column_collapse
 import hanging_bar
+import radial
+import sliding_block
+import sphere_collision
 import wave_transmission
-from references_test import constant
+from scene_text import constant
 
 
 class HangingBar(unittest.TestCase):
@@ -34,6 +38,80 @@ class WaveTransmission(unittest.TestCase):
         passed, returned = wave_transmission.factors()
         z1, z2 = np.multiply(wave_transmission.DENSITIES, wave_transmission.SPEEDS)
         self.assertAlmostEqual(z1, z1 * returned**2 + z2 * passed**2, delta=1e-12)
+
+
+class RadialSymmetry(unittest.TestCase):
+    radii = np.linspace(1, 2, 5)
+
+    def test_a_neo_hookean_shell_under_little_pressure_is_lame_s(self):
+        # Strains of 1e-6: what linear elasticity leaves out is a few of them.
+        for n, exact in ((1, radial.cylinder_displacement), (2, radial.sphere_displacement)):
+            with self.subTest(n=n):
+                shell = radial.NeoHookeanShell(n, 1, 2, 1000, 0.3, pressure=1e-3).solve()
+                lame = exact(self.radii, 1, 2, 1e-3, 1000, 0.3)
+                np.testing.assert_allclose(shell(self.radii)[0], lame, rtol=1e-5)
+
+    def test_the_shell_of_finite_strain_is_in_equilibrium_as_a_whole(self):
+        # A quarter of the cylinder: the hoop force in its two cuts balances the traction on its inner surface.
+        shell = radial.NeoHookeanShell(1, 1, 2, 1000, 0.3, inner_traction=150)
+        solution = shell.solve()
+        points, weights = np.polynomial.legendre.leggauss(20)
+        radius = 1.5 + points / 2
+        displacement, nominal = solution(radius)
+        hoop = 1 + displacement / radius
+        _, around = shell.nominal(shell.radial_stretch(hoop, nominal), hoop)
+        # The collocation's tolerance is 1e-11 for each interval.
+        self.assertAlmostEqual(weights @ around / 2, 150 * 1, delta=1e-6)
+
+    def test_the_rotating_disc_is_in_equilibrium_and_obeys_hooke_s_law(self):
+        radius, step, modulus, ratio, force, outer = np.linspace(0.1, 0.9, 9), 1e-5, 1000.0, 0.3, 7.0, 1.0
+        stress = lambda r: radial.disc_stress(r, outer, force, ratio)
+        slope = lambda function: (function(radius + step) - function(radius - step)) / (2 * step)
+        around_radius, hoop = stress(radius)
+        # Differences: the error of the step squared, and rounding by the step.
+        balance = slope(lambda r: stress(r)[0]) + (around_radius - hoop) / radius + force * radius
+        np.testing.assert_allclose(balance, 0, atol=1e-8)
+        displacement = lambda r: radial.disc_displacement(r, outer, force, modulus, ratio)
+        np.testing.assert_allclose(displacement(radius) / radius * modulus, hoop - ratio * around_radius, rtol=1e-12)
+        np.testing.assert_allclose(slope(displacement) * modulus, around_radius - ratio * hoop, rtol=0, atol=1e-7)
+
+    def test_a_compressed_cylinder_has_no_stress_across(self):
+        axial = 0.6
+        a = radial.compressed_lateral_stretch(axial, 1000, 0.3)
+        lam, mu = radial.lame(1000, 0.3)
+        gradient = np.diag([a, a, axial])
+        inverse = np.linalg.inv(gradient)
+        nominal = mu * (gradient - inverse) + lam * np.log(np.linalg.det(gradient)) * inverse
+        cauchy = nominal @ gradient / np.linalg.det(gradient)
+        # Rounding in units of the modulus.
+        along = radial.compressed_axial_stress(axial, 1000, 0.3)
+        np.testing.assert_allclose(np.diag(cauchy), [0, 0, along], atol=1e-10)
+
+
+class SlidingBlock(unittest.TestCase):
+    def test_integrating_the_motion_with_smoothed_friction_finds_the_same(self):
+        # The smoothed friction lets the block creep: 1e-4 of the speed for half a second.
+        times = np.linspace(0, 1.5, 16)
+        distance = sliding_block.distance_by_integration(times)
+        np.testing.assert_allclose(sliding_block.distance(times), distance, rtol=0, atol=1e-4)
+
+
+class SphereCollision(unittest.TestCase):
+    def test_integrating_hertz_s_contact_finds_the_same(self):
+        # Relative tolerance of the integrator 1e-11 for each of about 100 steps.
+        np.testing.assert_allclose(sphere_collision.contact(), sphere_collision.contact_by_integration(), rtol=1e-9)
+
+    def test_waves_cross_the_spheres_several_times_during_the_contact(self):
+        self.assertGreater(sphere_collision.reference()["duration_over_wave_time"], 5)
+
+
+class ColumnCollapse(unittest.TestCase):
+    def test_the_front_accelerates_and_stays_below_ritter_s_speed(self):
+        for data in (column_collapse.MEASURED, column_collapse.MEASURED_SMALL):
+            steps = np.diff(data, axis=0)
+            self.assertTrue((steps > 0).all())
+            # A single difference carries two readings' errors of about 0.2.
+            self.assertLess(column_collapse.speed(1.5, 6.4, data), 2)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Reference of the scene `hanging_bar`: a neo-Hookean bar that hangs under its own weight.
 
-P = mu (F - F^-T) + lambda ln(J) F^-T (dissertation eq. 2.17). The section at X of a bar that is held at X = 0 carries
-the weight below it, P(X) = rho g (L - X), whatever the deformation. With the sides held (uniaxial strain, F = diag(1,
-s)) or free (uniaxial stress, F = diag(a, s, a) with P_xx = 0) the stretch s follows from P; with X as a function of s the
-displacement is an integral over the stretch, u(X) = int (s - 1) P'(s) ds / (rho g).
+P = mu (F - F^-T) + lambda ln(J) F^-T (dissertation eq. 2.17). The section at X of a bar that is held at X = 0
+carries the weight below it, P(X) = rho g (L - X), whatever the deformation. With the sides held (uniaxial
+strain, F = diag(1, s)) or free (uniaxial stress, F = diag(a, s, a) with P_xx = 0) the stretch s follows from
+P; with X as a function of s the displacement is an integral over the stretch, u(X) = int (s - 1) P'(s) ds /
+(rho g).
 
 Prints displacement of the end, stretch and lateral stress at the top.
 """

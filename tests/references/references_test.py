@@ -6,7 +6,6 @@ printed digit.
 """
 
 import pathlib
-import re
 import unittest
 
 import numpy as np
@@ -14,15 +13,9 @@ import numpy as np
 import cantilever
 import compliant_bar
 import simply_supported_beam
+from scene_text import constant
 
 HERE = pathlib.Path(__file__).parent
-SCENES = HERE.parent.parent / "client" / "scenes"
-
-
-def constant(scene, name):
-    """The number that a scene gives for a constant."""
-    text = (SCENES / f"{scene}.textproto").read_text(encoding="utf-8")
-    return float(re.search(rf'constants \{{ name: "{name}" value: "([^"]*)" \}}', text).group(1))
 
 
 class Cantilever(unittest.TestCase):

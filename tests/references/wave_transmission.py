@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Reference of the scene `wave_transmission`: a pulse crosses the joint of two elastic bars.
 
-The end of bar 1 moves with the velocity v0 sin^2(pi t / T) for the time T. With the impedances Z = rho c, c = sqrt(E /
-rho), a pulse of velocity v passes into bar 2 as 2 Z1 / (Z1 + Z2) v and returns as (Z1 - Z2) / (Z1 + Z2) v (Graff 1975,
-Wave Motion in Elastic Solids, section 2.2.2). Until the returning pulse has met the end again, d'Alembert's waves are
-all of the motion.
+The end of bar 1 moves with the velocity v0 sin^2(pi t / T) for the time T. With the impedances Z = rho c, c =
+sqrt(E / rho), a pulse of velocity v passes into bar 2 as 2 Z1 / (Z1 + Z2) v and returns as (Z1 - Z2) / (Z1 +
+Z2) v (Graff 1975, Wave Motion in Elastic Solids, section 2.2.2). Until the returning pulse has met the end
+again, d'Alembert's waves are all of the motion.
 
 Prints the two factors and by how much a finite difference solution differs.
 """
