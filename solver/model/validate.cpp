@@ -27,7 +27,7 @@ Model Validator::run() {
   check_numerics();
   check_outputs();
   check_measures();
-  if (violations_.empty()) check_kernels();
+  if (violations_.empty()) check_combinations();
   if (violations_.empty()) check_time_step();
   if (!violations_.empty()) throw InvalidScene(violations_.take());
   return std::move(model_);

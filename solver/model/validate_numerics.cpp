@@ -44,13 +44,6 @@ void Validator::check_numerics() {
   model_.numerics = numerics;
 }
 
-/// The solver's stages are written for planes.
-void Validator::check_kernels() {
-  if (model_.dimension == Dimension::plane_stress || model_.dimension == Dimension::plane_strain) return;
-  violations_.add("domain.dimension", "", "this version computes plane scenes only",
-                  "choose PLANE_STRESS or PLANE_STRAIN");
-}
-
 void Validator::check_time_step() {
   const TimeStepLimit limit = time_step_limit(model_);
   const auto& asked = model_.numerics.time_step;

@@ -55,7 +55,7 @@ class Validator {
   std::optional<TimeFunction> time_function(const std::string& path, const TimeFunctionDefinition& definition);
   void check_analysis();
   void check_numerics();
-  void check_kernels();
+  void check_combinations();
   void check_time_step();
   void check_outputs();
   bool check_fields(const std::string& path, const std::vector<Field>& fields);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/schemes/law_state.h"
 #include "solver/schemes/schemes.h"
 
 namespace trajan {
@@ -118,8 +119,10 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   if (total) add_vector(displacement_x);
   if (model.dimension == Dimension::axisymmetric) add({reference_volume}, "dimension axisymmetric");
   for (Attribute a : law.attributes) add({a}, law_name);
-  if (records_deformation(model))
-    for (Attribute a : law.tracked) add({a}, "outputs of strain");
+  const bool shapes = kernels().transfer(model.numerics.shape_functions, model.dimension)->needs_deformation;
+  if (shapes || records_deformation(model))
+    for (Attribute a : law.tracked)
+      add({a}, shapes ? "shape functions " + model.numerics.shape_functions : "outputs of strain");
   return needs;
 }
 

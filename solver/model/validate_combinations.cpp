@@ -1,0 +1,47 @@
+#include "solver/model/validator.h"
+#include "solver/schemes/schemes.h"
+
+/// Choices that are right each by itself and make no sense together.
+namespace trajan {
+namespace {
+
+/// Two choices that exclude each other.
+struct Exclusion {
+  bool (*applies)(const Model&);
+  const char* path;
+  const char* problem;
+  const char* remedy;
+};
+
+bool is_total(const Model& model) { return find_scheme(model.numerics.scheme)->total_lagrangian; }
+bool has_shapes(const Model& model, std::string_view name) { return model.numerics.shape_functions == name; }
+bool is_odd(std::int64_t cells) { return cells % 2 == 1; }
+
+constexpr Exclusion exclusions[] = {
+    {[](const Model& m) { return has_shapes(m, "bernstein") && !is_total(m); }, "numerics.shape_functions",
+     "\"bernstein\" functions have kinks between their elements, which particles must not cross",
+     "choose numerics.scheme: \"TLMPM\", in which they never do, or \"quadratic_bspline\""},
+    {[](const Model& m) {
+       return has_shapes(m, "bernstein") &&
+              (is_odd(m.grid.cells_x) || is_odd(m.grid.cells_y) || is_odd(m.grid.cells_z));
+     },
+     "domain.upper",
+     "elements of \"bernstein\" functions are two cells wide, and along an axis the cells are odd in number",
+     "make the domain an even number of cells along every axis"},
+    {[](const Model& m) { return (has_shapes(m, "cpgimp") || has_shapes(m, "cpdi")) && is_total(m); },
+     "numerics.shape_functions",
+     "in a total Lagrangian scheme shape functions see particles as they were at rest, which do not deform",
+     "choose \"gimp\", which is the same there"},
+    {[](const Model& m) { return has_shapes(m, "cpdi") && m.dimension == Dimension::axisymmetric; },
+     "numerics.shape_functions", "domains of \"cpdi\" could reach across the axis, where there is nothing",
+     "choose \"gimp\", \"cpgimp\" or B-splines"},
+};
+
+}  // namespace
+
+void Validator::check_combinations() {
+  for (const Exclusion& exclusion : exclusions)
+    if (exclusion.applies(model_)) violations_.add(exclusion.path, "", exclusion.problem, exclusion.remedy);
+}
+
+}  // namespace trajan
