@@ -1,5 +1,5 @@
 #include "solver/model/validator.h"
-#include "solver/schemes/schemes.h"
+#include "solver/schemes/scheme.h"
 
 /// Choices that are right each by itself and make no sense together.
 namespace trajan {
@@ -13,7 +13,7 @@ struct Exclusion {
   const char* remedy;
 };
 
-bool is_total(const Model& model) { return find_scheme(model.numerics.scheme)->total_lagrangian; }
+bool is_total(const Model& model) { return is_total_lagrangian(model.numerics.scheme); }
 bool has_shapes(const Model& model, std::string_view name) { return model.numerics.shape_functions == name; }
 bool is_odd(std::int64_t cells) { return cells % 2 == 1; }
 

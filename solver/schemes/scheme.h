@@ -11,4 +11,7 @@ std::span<const std::string_view> shape_names();
 /// False for names that are not registered.
 bool is_total_lagrangian(std::string_view scheme);
 
+/// Whether the scheme of this name keeps its shape functions with the reference positions.
+bool is_total_lagrangian(std::string_view scheme);
+
 }  // namespace trajan

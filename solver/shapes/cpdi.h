@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "solver/transfers/corner_stencil.h"
+#include "solver/executors/instruction_set.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -11,15 +11,13 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// interpolated between their corners (Sadeghirad, Brannon and Burghardt 2011).
 struct Cpdi {
   static constexpr std::string_view name = "cpdi";
+  /// Weights are no products along the axes, but means over the corners of the particle's domain.
+  static constexpr bool corners = true;
   static constexpr int nodes = 4;
   static constexpr bool wide = true;
   static constexpr bool needs_deformation = true;
-  static int first_node(double at) { return static_cast<int>(at) - 1; }
-};
 
-template <>
-struct TransferChoice<Cpdi> {
-  static const TransferKernels* of(Dimension dimension) { return corner_kernels<Cpdi>(grid_axes(dimension)); }
+  static int first_node(double at) { return static_cast<int>(at) - 1; }
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -132,16 +132,19 @@ inline constexpr TransferKernels corner_kernels_of = [] {
 }();
 
 template <class Shape>
-const TransferKernels* corner_kernels(int axes) {
-  switch (axes) {
-    case 1:
-      return &corner_kernels_of<Shape, Layout{1, true}>;
-    case 2:
-      return &corner_kernels_of<Shape, Layout{2, true}>;
-    default:
-      return &corner_kernels_of<Shape, Layout{3, true}>;
+  requires(Shape::corners)
+struct TransferChoice<Shape> {
+  static const TransferKernels* of(Dimension dimension) {
+    switch (grid_axes(dimension)) {
+      case 1:
+        return &corner_kernels_of<Shape, Layout{1, true}>;
+      case 2:
+        return &corner_kernels_of<Shape, Layout{2, true}>;
+      default:
+        return &corner_kernels_of<Shape, Layout{3, true}>;
+    }
   }
-}
+};
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan
