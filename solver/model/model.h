@@ -10,6 +10,7 @@
 #include "solver/model/expression.h"
 #include "solver/model/fields.h"
 #include "solver/model/lattice.h"
+#include "solver/model/output_plan.h"
 #include "solver/model/time_function.h"
 #include "solver/scene/scene.h"
 
@@ -87,36 +88,6 @@ struct BodyLoad {
   Vector acceleration;
   std::vector<std::size_t> bodies;  ///< indices; all of them: every body
   TimeFunction time;
-};
-
-/// Follows one particle, or of several the mean weighted by volume, or each component's extreme value.
-struct Probe {
-  std::string name;
-  std::vector<std::int64_t> particles;  ///< numbers, ascending; one for a nearest-particle probe
-  Statistic statistic = Statistic::mean;
-  std::vector<RecordedField> fields;
-};
-
-/// The histories' clock: sample i is at i * end_time / samples; a snapshot at every
-/// `samples_per_snapshot`-th sample (0: none).
-struct OutputPlan {
-  std::int64_t samples = 0;
-  std::int64_t samples_per_snapshot = 0;
-  std::vector<RecordedField> snapshot_fields;  ///< beside positions and velocities
-  std::vector<Probe> probes;
-};
-
-struct Measure {
-  std::string name;
-  std::string quantity;
-  std::size_t column = 0;  ///< index into history_columns(model)
-  std::variant<FinalValue, ExtremeValue, MeanValue, DominantFrequency, Deviation> kind;
-  std::optional<Expression> exact_history;  ///< of t, for Deviation
-  double from = 0;
-  double until = 0;
-  std::optional<double> exact;
-  std::optional<double> tolerance;
-  std::string source;
 };
 
 class Model {

@@ -27,18 +27,21 @@ Model make_model(int samples, int snapshots, Dimension dimension) {
   scene.name = "rehearsal";
   scene.description = "two blocks";
   scene.units = "m, kg, s";
-  scene.domain = {dimension, {0, 0, 0}, {8, 4, 4}, 0.5, 1};
+  const auto at = [dimension](double x, double y, double z) {
+    return Vector{x, y, dimension == Dimension::solid ? z : 0.0};
+  };
+  scene.domain = {dimension, at(0, 0, 0), at(8, 4, 4), 0.5, {}, {}};
   scene.materials = {{"rubber", 1000, "linear_elastic", {{"youngs_modulus", 1e6}, {"poissons_ratio", 0.3}}}};
-  scene.bodies = {{"left", "rubber", Box{{1, 1, 1}, {3, 3, 3}}, 2, {}},
-                  {"right", "rubber", Box{{5, 1, 1}, {7, 3, 3}}, 2, {}}};
+  scene.bodies = {{"left", "rubber", Box{at(1, 1, 1), at(3, 3, 3)}, 2, {}},
+                  {"right", "rubber", Box{at(5, 1, 1), at(7, 3, 3)}, 2, {}}};
   scene.analysis.end_time = 2;
   scene.outputs.samples = samples;
   scene.outputs.snapshots = snapshots;
   scene.outputs.snapshot_fields = {Field::displacement, Field::stress, Field::deformation_gradient,
                                    Field::pressure};
   scene.outputs.probes = {
-      {"tip", Vector{7, 2, 2}, {Field::displacement, Field::stress}, "right"},
-      {"middle", Region{Box{{1, 1, 1}, {3, 3, 3}}}, {Field::velocity, Field::pressure}, "left"}};
+      {"tip", at(7, 2, 2), {Field::displacement, Field::stress}, "right"},
+      {"middle", Region{Box{at(1, 1, 1), at(3, 3, 3)}}, {Field::velocity, Field::pressure}, "left"}};
   scene.measures = {{"deflection", "tip.displacement.y", FinalValue{}, 0, {}, "0.25", "a handbook, §1", 0.01},
                     {"peak_stress", "tip.stress.xx", ExtremeValue{}, 0, {}, "", "", {}}};
   return validate(scene);

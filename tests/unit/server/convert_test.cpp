@@ -162,7 +162,7 @@ TEST_F(EveryField, KeepsOutputs) {
   EXPECT_EQ(scene_.outputs.samples, 300);
   EXPECT_EQ(scene_.outputs.snapshots, 30);
   EXPECT_THAT(scene_.outputs.snapshot_fields, ElementsAre(Field::velocity, Field::unspecified));
-  ASSERT_EQ(scene_.outputs.probes.size(), 2u);
+  ASSERT_EQ(scene_.outputs.probes.size(), 4u);
   const ProbeDefinition& tip = scene_.outputs.probes[0];
   EXPECT_EQ(tip.name, "tip");
   EXPECT_EQ(tip.body, "beam");
