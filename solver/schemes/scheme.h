@@ -8,10 +8,9 @@ namespace trajan {
 /// The registered names, generated from the lists in schemes/CMakeLists.txt and shapes/CMakeLists.txt.
 std::span<const std::string_view> scheme_names();
 std::span<const std::string_view> shape_names();
-/// False for names that are not registered.
-bool is_total_lagrangian(std::string_view scheme);
 
-/// Whether the scheme of this name keeps its shape functions with the reference positions.
+/// Whether the scheme of this name keeps its shape functions with the reference positions; false for names that
+/// are not registered.
 bool is_total_lagrangian(std::string_view scheme);
 
 }  // namespace trajan
