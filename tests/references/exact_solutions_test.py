@@ -43,6 +43,21 @@ class WaveTransmission(unittest.TestCase):
 class RadialSymmetry(unittest.TestCase):
     radii = np.linspace(1, 2, 5)
 
+    def test_the_scenes_state_what_radial_equilibrium_gives(self):
+        computed = radial.reference()
+        stated = {
+            ("thick_cylinder", "inner"): "cylinder_inner_displacement",
+            ("thick_cylinder", "inner_slope"): "cylinder_inner_slope",
+            ("thick_cylinder", "outer"): "cylinder_outer_displacement",
+            ("thick_cylinder", "outer_slope"): "cylinder_outer_slope",
+            ("compressed_cylinder", "lateral_stretch"): "compressed_lateral_stretch",
+            ("compressed_cylinder", "axial_stress"): "compressed_axial_stress",
+        }
+        for (scene, name), key in stated.items():
+            # The last digit printed.
+            with self.subTest(scene=scene, name=name):
+                self.assertAlmostEqual(constant(scene, name) / computed[key], 1, delta=1e-5)
+
     def test_a_neo_hookean_shell_under_little_pressure_is_lame_s(self):
         # Strains of 1e-6: what linear elasticity leaves out is a few of them.
         for n, exact in ((1, radial.cylinder_displacement), (2, radial.sphere_displacement)):
