@@ -82,13 +82,12 @@ struct Scene {
 };
 
 Scene scene_of(const ParticlePicture& particles, const RenderStyle& style) {
-  constexpr double square = 0.71;  // of the spacing: discs on a square lattice leave no gap
-  constexpr double ball = 0.62;    // of the spacing: as large as the particle
+  constexpr double share = 0.71;  // of the spacing: discs on a square lattice leave no gap
   Scene scene;
   scene.in_space = particles.dimension == "solid";
   if (!scene.in_space && !style.view.empty())
     throw CommandError(ExitCode::usage, "only a solid can be looked at from elsewhere", "leave out --view");
-  scene.radius = (scene.in_space ? ball : square) * particle_spacing(particles.position);
+  scene.radius = share * particle_spacing(particles.position);
   scene.projection = projection(!scene.in_space ? "z" : style.view.empty() ? "oblique" : style.view);
   scene.discs = project(particles.position, scene.projection);
   if (scene.in_space) scene.discs = without_hidden(scene.discs, scene.radius);
@@ -161,6 +160,14 @@ std::string title_script(const ParticlePicture& particles, const RenderStyle& st
   return fmt::format("set title {} noenhanced\n", gnuplot_text(title));
 }
 
+/// A round distance between tics, of which there are five at most.
+double tic_distance(const Extent& extent) {
+  const double least = extent.size() / 5, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double round : {1.0, 2.0, 5.0})
+    if (round * power >= least) return round * power;
+  return 10 * power;
+}
+
 std::string axis_label(std::string_view axis, const ParticlePicture& particles, const UnitLabels& units) {
   std::string name(axis);
   if (particles.dimension == "axisymmetric") name += axis == "x" ? ", radius" : ", axis";
@@ -202,9 +209,10 @@ void draw_discs(const ParticlePicture& particles, const RenderStyle& style, cons
   script.append(viridis).append(margins_script(layout)).append(title_script(particles, style, units));
   script += fmt::format(
       "set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\nunset grid\nset format cb '%.3h'\n"
+      "set xtics {}\n"
       "set cblabel {} noenhanced offset 1.5\n",
       window.x.lower, window.x.upper, window.y.lower, window.y.upper, window.value.lower, window.value.upper,
-      gnuplot_text(value));
+      tic_distance(window.x), gnuplot_text(value));
   if (scene.projection.x_axis.empty()) {
     script += triad_script(particles, scene, layout, units);
   } else {
