@@ -33,6 +33,7 @@ MaterialDefinition to_material(const v1::Material& message) {
     material.law = law->name();
     material.parameters = parameters_of(reflection.GetMessage(message, law));
   }
+  if (message.has_damage()) material.damage = parameters_of(message.damage());
   return material;
 }
 

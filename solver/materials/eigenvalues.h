@@ -37,11 +37,11 @@ std::array<T, 3> eigenvalues(SymmetricTensor<N, T> a) {
   }
   if constexpr (N == 3) {
     // Convergence is quadratic in the end; five rounds reach rounding from any start.
-    for (int round = 0; round < 5; ++round) {
+    unroll<5>([&](auto) {
       rotate_away(a, 0, 1);
       rotate_away(a, 0, 2);
       rotate_away(a, 1, 2);
-    }
+    });
   }
   return {a.diagonal[0], a.diagonal[1], a.diagonal[2]};
 }

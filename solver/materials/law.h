@@ -23,6 +23,8 @@
 ///   static constexpr HistoryVariable history[];        what it remembers, at most 8
 ///   void begin(std::uint64_t particle, double* history) const;   initial history of one particle, if it differs
 ///                                                      from particle to particle (the number is the body's)
+///   double diffusivity() const;                        of momentum, by viscosity: length^2 per time
+///   double dissipated_energy(const std::array<double, count>& h) const;   so far, per reference volume
 ///   static Objection check(const double* values, Dimension);   what is wrong with the parameters together
 ///   static std::string_view objection(Dimension, bool total_lagrangian);  why it must not be used so, or empty
 ///

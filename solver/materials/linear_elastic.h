@@ -31,10 +31,10 @@ class LinearElastic {
     unroll<3 - N>([&](auto k) { g.diagonal[N + k] = across / (1.0 - 0.5 * across); });
   }
 
-  template <int N>
-  double energy_density(const RateState<N>& state) const {
-    const SymmetricTensor<N>& s = state.stress;
-    const double pressure = trace(s);
+  template <int N, class T>
+  T energy_density(const RateState<N, T>& state) const {
+    const SymmetricTensor<N, T>& s = state.stress;
+    const T pressure = trace(s);
     return (double_contraction(s, s) -
             lame_.poissons_ratio() / (1 + lame_.poissons_ratio()) * pressure * pressure) /
            (4 * lame_.mu);

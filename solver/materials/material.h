@@ -10,6 +10,9 @@
 
 namespace trajan {
 
+/// What an optional parameter is that has no natural default and was not given.
+inline constexpr double not_given = 1e299;
+
 /// One row of a law's own parameter table. Validation, error messages and documentation read it.
 struct Parameter {
   std::string_view name;  ///< as in materials.proto
@@ -52,6 +55,8 @@ struct MaterialKind {
   std::span<const HistoryVariable> history;  ///< what particles of the material remember
   /// Speed of the fastest wave at rest (consistent units) for a mass density at rest.
   double (*wave_speed)(std::span<const double> values, double density, Dimension dimension);
+  /// By which momentum diffuses, length^2 per time; nullptr: it does not.
+  double (*diffusivity)(std::span<const double> values, double density);
   /// What is wrong with values that are each in their range.
   Objection (*check)(std::span<const double> values, Dimension dimension);
   /// Why the law must not be used in scenes of this kind; empty: it may.
@@ -61,7 +66,12 @@ struct MaterialKind {
 /// All laws, generated from the list in materials/CMakeLists.txt.
 std::span<const MaterialKind> material_kinds();
 
-/// nullptr: there is no law of that name.
+/// The elastic ones of them combined with Weibull damage (solver/materials/damaged.h). Their names are those of
+/// the laws behind this; their parameters are the law's, then those of damage.
+std::span<const MaterialKind> damaged_kinds();
+inline constexpr std::string_view damage_prefix = "damaged_";
+
+/// nullptr: there is no law of that name, with or without damage.
 const MaterialKind* find_material_kind(std::string_view name);
 
 }  // namespace trajan

@@ -45,6 +45,30 @@ void Validator::check_materials() {
   }
 }
 
+/// What the scene gives for a law's parameters or for those of its damage, in the order of the table.
+bool Validator::read_parameters(const std::string& path, std::span<const Parameter> table,
+                                const std::map<std::string, double>& values, Material& material) {
+  std::vector<std::string> known;
+  bool complete = true;
+  for (const Parameter& parameter : table) {
+    const std::string place = path + "." + known.emplace_back(parameter.name);
+    const auto given = values.find(known.back());
+    if (given == values.end() && !parameter.optional()) {
+      complete = violations_.add(place, "", "not given (" + std::string(parameter.meaning) + ")",
+                                 "give a number " + range_text(parameter));
+      continue;
+    }
+    material.parameters.push_back(given == values.end() ? parameter.otherwise : given->second);
+    if (given != values.end()) complete = check_parameter(place, parameter, given->second) && complete;
+  }
+  for (const auto& [name, value] : values) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    unknown_name(path + "." + shortened(name), name, "parameter", known);
+    complete = false;
+  }
+  return complete;
+}
+
 void Validator::check_law(const std::string& path, const MaterialDefinition& definition, Material& material) {
   if (definition.law.empty()) {
     violations_.add(path, "", "no constitutive law is given", "give one of: " + list_of(law_names()));
@@ -53,32 +77,27 @@ void Validator::check_law(const std::string& path, const MaterialDefinition& def
   material.kind = find_material_kind(definition.law);
   if (material.kind == nullptr) return unknown_name(path, definition.law, "constitutive law", law_names());
   const std::string law_path = path + "." + definition.law;
-  std::vector<std::string> known;
-  bool complete = definition.density > 0;
-  for (const Parameter& parameter : material.kind->parameters) {
-    known.emplace_back(parameter.name);
-    const auto given = definition.parameters.find(known.back());
-    if (given == definition.parameters.end() && parameter.optional()) {
-      material.parameters.push_back(parameter.otherwise);
-      continue;
-    }
-    if (given == definition.parameters.end()) {
-      complete =
-          violations_.add(law_path + "." + known.back(), "", "not given (" + std::string(parameter.meaning) + ")",
-                          "give a number " + range_text(parameter));
-      continue;
-    }
-    material.parameters.push_back(given->second);
-    complete = check_parameter(law_path + "." + known.back(), parameter, given->second) && complete;
-  }
-  for (const auto& [name, value] : definition.parameters) {
-    if (std::ranges::find(known, name) == known.end()) {
-      unknown_name(law_path + "." + shortened(name), name, "parameter", known);
-      complete = false;
-    }
-  }
+  bool complete = read_parameters(law_path, material.kind->parameters, definition.parameters, material);
+  if (definition.damage) complete = add_damage(path + ".damage", *definition.damage, material) && complete;
   check_use(law_path, *material.kind);
-  if (!complete || model_.dimension == Dimension::unspecified) return;
+  if (complete && definition.density > 0 && model_.dimension != Dimension::unspecified)
+    check_law_as_a_whole(path, law_path, material);
+}
+
+bool Validator::add_damage(const std::string& path, const std::map<std::string, double>& values,
+                           Material& material) {
+  const MaterialKind* damaged = find_material_kind(std::string(damage_prefix) + std::string(material.kind->name));
+  if (damaged == nullptr) {
+    return violations_.add(path, "", "law " + std::string(material.kind->name) + " is not elastic",
+                           "leave out damage or give an elastic law");
+  }
+  const std::span<const Parameter> table = damaged->parameters.subspan(material.kind->parameters.size());
+  material.kind = damaged;
+  return read_parameters(path, table, values, material);
+}
+
+void Validator::check_law_as_a_whole(const std::string& path, const std::string& law_path,
+                                     const Material& material) {
   const Objection wrong = material.kind->check(material.parameters, model_.dimension);
   if (!wrong.problem.empty()) {
     violations_.add(law_path, "", wrong.problem, wrong.remedy);

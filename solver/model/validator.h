@@ -38,6 +38,11 @@ class Validator {
   void check_materials();
   void check_use(const std::string& path, const MaterialKind& kind);
   void check_law(const std::string& path, const MaterialDefinition& definition, Material& material);
+  bool read_parameters(const std::string& path, std::span<const Parameter> table,
+                       const std::map<std::string, double>& values, Material& material);
+  /// Makes the material's law the same with damage.
+  bool add_damage(const std::string& path, const std::map<std::string, double>& values, Material& material);
+  void check_law_as_a_whole(const std::string& path, const std::string& law_path, const Material& material);
   bool check_parameter(const std::string& path, const Parameter& parameter, double value);
   void check_bodies();
   bool check_body(const std::string& path, const BodyDefinition& definition, Body& body);

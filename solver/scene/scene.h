@@ -45,6 +45,7 @@ struct MaterialDefinition {
   double density = 0;
   std::string law;
   std::map<std::string, double> parameters;
+  std::optional<std::map<std::string, double>> damage = {};  ///< parameters of Weibull damage on top of the law
 };
 
 struct BodyDefinition {

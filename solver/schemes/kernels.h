@@ -15,6 +15,7 @@ namespace trajan {
 /// Sums and maxima over particles.
 struct Totals {
   double kinetic_energy = 0, strain_energy = 0;
+  double dissipated_energy = 0;  ///< so far, by the materials
   double momentum[3] = {};
   double squared_speed = 0;       ///< largest
   double squared_wave_speed = 0;  ///< largest, in a total Lagrangian scheme of the reference configuration

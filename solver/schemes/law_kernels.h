@@ -61,9 +61,11 @@ struct LawStages {
   [[gnu::flatten]] static void measure(const Block& block, Totals& totals) {
     const Particles particles(block);
     const Law material = law(block);
-    double energy = 0, fastest = totals.squared_wave_speed;
+    double energy = 0, dissipated = 0, fastest = totals.squared_wave_speed;
     for (int i = 0; i < block.count; ++i) {
       double modulus;
+      if constexpr (requires(const History& h) { material.dissipated_energy(h); })
+        dissipated += particles.reference_volume(i) * material.dissipated_energy(particles.history.at(i));
       if constexpr (Law::rate_form) {
         const State s = particles.state(i);
         if constexpr (requires { material.energy_density(s); })
@@ -81,6 +83,7 @@ struct LawStages {
       if (!(square <= fastest)) fastest = square;
     }
     totals.strain_energy += energy;
+    totals.dissipated_energy += dissipated;
     totals.squared_wave_speed = fastest;
   }
 };

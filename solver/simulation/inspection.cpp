@@ -25,6 +25,7 @@ Totals Executor::totals() {
   for (const Totals& tile : tile_totals_) {
     all.kinetic_energy += tile.kinetic_energy;
     all.strain_energy += tile.strain_energy;
+    all.dissipated_energy += tile.dissipated_energy;
     for (int axis = 0; axis < axes_; ++axis) all.momentum[axis] += tile.momentum[axis];
     if (!(tile.squared_speed <= all.squared_speed)) all.squared_speed = tile.squared_speed;
     if (!(tile.squared_wave_speed <= all.squared_wave_speed)) all.squared_wave_speed = tile.squared_wave_speed;

@@ -84,7 +84,7 @@ void Simulation::measure() {
   columns_.clear();
   probe();
   const double total = totals_.kinetic_energy + totals_.strain_energy;
-  const double work = executor_.work(), dissipated = executor_.dissipated();
+  const double work = executor_.work(), dissipated = executor_.dissipated() + totals_.dissipated_energy;
   for (double term : {total, work, dissipated, initial_energy_})
     largest_energy_ = std::max(largest_energy_, std::abs(term));
   balance_error_ = largest_energy_ > 0 ? (total + dissipated - work - initial_energy_) / largest_energy_ : 0.0;

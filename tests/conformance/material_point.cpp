@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace trajan::test {
 namespace {
@@ -30,13 +31,40 @@ const std::map<std::string_view, Sample> samples = {
      {{.hyperelastic = true, .elastic = true, .isotropic = false},
       {{1000, 300, 200, 0.3, 0.2, 0.05, 150, 100, 120, 0, 0, 0},
        {1000, 1000, 1000, 0.3, 0.3, 0.3, 1000 / 2.6, 1000 / 2.6, 1000 / 2.6, 0, 0, 0}}}},
+    // Yielding early, late, with and without hardening.
+    {"von_mises", {hypoelastic, {{1000, 0.3, 5, 0}, {1000, 0.3, 5, 100}, {1000, 0.45, 200, 10}}}},
+    // Warm, but without what goes on at rest: rates below that of reference, no heating.
+    {"johnson_cook",
+     {hypoelastic,
+      {{1000, 0.3, 5, 20, 0.3, 0.02, 1e3, 1, 300, 1300, 600, not_given, 0.9},
+       {1000, 0.3, 5, 0, 1, 0, 1, 1, 0, not_given, not_given, not_given, 0.9}}}},
+    {"drucker_prager",
+     {hypoelastic,
+      {{1000, 0.3, 5, 30, 10, not_given}, {1000, 0.2, 5, 0, 0, not_given}, {1000, 0.3, 5, 40, 40, 2}}}},
+    // Without viscosity: at rest its stress would vanish.
+    {"tait_fluid", {{}, {{1000, 7, 0, -not_given}, {1000, 2, 0, -100}}}},
+    {"ideal_gas", {{}, {{1.4, 500, 500, 0}, {1.67, 300, 300, 0}}}},
 };
 
-const Sample& sample_of(const MaterialKind& kind) {
-  const auto found = samples.find(kind.name);
+/// A law with damage is tested with what the law is tested with, once hardly damaged and once much.
+Sample damaged(Sample sample) {
+  sample.traits.hyperelastic = false;
+  const std::vector<std::vector<double>> elastic = std::exchange(sample.parameters, {});
+  for (const std::vector<double>& damage :
+       {std::vector<double>{1e4, not_given, 3, 0, 1, not_given, 0}, {100, 50, 2, 0, 1, 4, 7}})
+    for (std::vector<double> one : elastic) {
+      one.insert(one.end(), damage.begin(), damage.end());
+      sample.parameters.push_back(one);
+    }
+  return sample;
+}
+
+Sample sample_of(const MaterialKind& kind) {
+  const bool is_damaged = kind.name.starts_with(damage_prefix);
+  const auto found = samples.find(is_damaged ? kind.name.substr(damage_prefix.size()) : kind.name);
   if (found == samples.end())
     throw std::invalid_argument("give parameters to test law " + std::string(kind.name) + " with");
-  return found->second;
+  return is_damaged ? damaged(found->second) : found->second;
 }
 
 constexpr Dimension dimensions[] = {Dimension::bar, Dimension::plane_stress, Dimension::plane_strain,
@@ -61,11 +89,12 @@ std::ostream& operator<<(std::ostream& out, const LawCase& of) { return out << n
 
 std::vector<LawCase> all_laws() {
   std::vector<LawCase> cases;
-  for (const MaterialKind& kind : material_kinds())
-    for (Dimension dimension : dimensions)
-      for (bool total_lagrangian : {false, true})
-        if (kind.objection(dimension, total_lagrangian).empty())
-          cases.push_back({&kind, dimension, total_lagrangian});
+  for (const std::span<const MaterialKind> kinds : {material_kinds(), damaged_kinds()})
+    for (const MaterialKind& kind : kinds)
+      for (Dimension dimension : dimensions)
+        for (bool total_lagrangian : {false, true})
+          if (kind.objection(dimension, total_lagrangian).empty())
+            cases.push_back({&kind, dimension, total_lagrangian});
   return cases;
 }
 

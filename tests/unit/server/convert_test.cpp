@@ -14,6 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Pair;
+using ::testing::UnorderedElementsAre;
 
 v1::Scene parse(const std::string& text) {
   v1::Scene scene;
@@ -91,6 +92,12 @@ TEST_F(EveryField, KeepsMaterials) {
   EXPECT_THAT(scene_.materials[0].parameters,
               ElementsAre(Pair("poissons_ratio", 0.31), Pair("youngs_modulus", 1002)));
   EXPECT_EQ(scene_.materials[1].law, "neo_hookean");
+  ASSERT_TRUE(scene_.materials[1].damage);
+  EXPECT_THAT(*scene_.materials[1].damage,
+              UnorderedElementsAre(Pair("compressive_strength", 1005), Pair("tensile_strength", 1006),
+                                   Pair("shape", 1007), Pair("closure_stress", 1008), Pair("open_stiffness", 0.33),
+                                   Pair("scatter_shape", 1009), Pair("seed", 1010)));
+  EXPECT_FALSE(scene_.materials[0].damage);
   EXPECT_THAT(scene_.materials[1].parameters,
               ElementsAre(Pair("poissons_ratio", 0.32), Pair("youngs_modulus", 1004)));
 }
