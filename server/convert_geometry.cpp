@@ -44,6 +44,34 @@ Region to_region(const v1::Region& message) {
   return {};
 }
 
+Edge to_edge(int value) {
+  switch (value) {
+    case v1::LEFT:
+      return Edge::left;
+    case v1::RIGHT:
+      return Edge::right;
+    case v1::BOTTOM:
+      return Edge::bottom;
+    case v1::TOP:
+      return Edge::top;
+    case v1::BACK:
+      return Edge::back;
+    case v1::FRONT:
+      return Edge::front;
+    default:
+      return Edge::unspecified;
+  }
+}
+
+Surface to_surface(const v1::Surface& message) {
+  Surface surface;
+  surface.body = message.body();
+  if (message.has_edge()) surface.part = to_edge(message.edge());
+  if (message.has_rim()) surface.part = Disc{to_vector(message.rim().centre()), message.rim().radius()};
+  surface.within = to_region(message.within());
+  return surface;
+}
+
 Domain to_domain(const v1::Domain& message) {
   Domain domain;
   domain.dimension = to_dimension(message.dimension());

@@ -22,27 +22,18 @@ TimeFunctionDefinition to_time_function(const v1::TimeFunction& message) {
   return LoadDefinition{}.time;
 }
 
-Edge to_edge(v1::EdgeTraction::Edge value) {
-  switch (value) {
-    case v1::EdgeTraction::LEFT:
-      return Edge::left;
-    case v1::EdgeTraction::RIGHT:
-      return Edge::right;
-    case v1::EdgeTraction::BOTTOM:
-      return Edge::bottom;
-    case v1::EdgeTraction::TOP:
-      return Edge::top;
-    default:
-      return Edge::unspecified;
-  }
-}
-
 PointForce to_point_force(const v1::PointForce& message) {
   return {message.body(), to_vector(message.position()), to_vector(message.force())};
 }
 
 EdgeTraction to_edge_traction(const v1::EdgeTraction& message) {
-  return {message.body(), to_edge(message.edge()), to_vector(message.traction()), message.profile()};
+  return {message.body(), to_edge(message.edge()), to_vector(message.traction()), message.profile(),
+          to_region(message.within())};
+}
+
+Pressure to_pressure(const v1::Pressure& message) {
+  return {to_surface(message.surface()), message.pressure(), message.profile(),
+          message.configuration() != v1::Pressure::REFERENCE};
 }
 
 BodyForce to_body_force(const v1::BodyForce& message) {
@@ -64,6 +55,9 @@ LoadDefinition to_load(const v1::Load& message) {
       break;
     case v1::Load::kBodyForce:
       load.kind = to_body_force(message.body_force());
+      break;
+    case v1::Load::kPressure:
+      load.kind = to_pressure(message.pressure());
       break;
     case v1::Load::KIND_NOT_SET:
       break;

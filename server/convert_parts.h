@@ -13,6 +13,8 @@ namespace trajan {
 Vector to_vector(const v1::Vector& message);
 VectorExpression to_vector_expression(const v1::VectorExpression& message);
 Region to_region(const v1::Region& message);
+Edge to_edge(int value);
+Surface to_surface(const v1::Surface& message);
 Domain to_domain(const v1::Domain& message);
 MaterialDefinition to_material(const v1::Material& message);
 BoundaryDefinition to_boundary(const v1::Boundary& message);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/materials/material.h"
+#include "solver/model/boundaries.h"
 #include "solver/model/expression.h"
 #include "solver/model/fields.h"
 #include "solver/model/lattice.h"
@@ -51,35 +52,18 @@ struct Body {
   std::optional<Expression> velocity_z;
 };
 
-/// Nodes i0 <= i <= i1, j0 <= j <= j1, k0 <= k <= k1, and within the disc if there is one.
-struct NodeRegion {
-  std::int64_t i0 = 0, i1 = -1, j0 = 0, j1 = -1, k0 = 0, k1 = -1;
-  std::optional<Disc> disc;
+/// A force on a point of a body's surface.
+struct LoadPoint : SurfacePoint {
+  Vector force;         ///< dead, times the time function of its group
+  double pressure = 0;  ///< of one that follows the surface
 };
 
-/// Prescribes velocity components on nodes; an empty component is free. Later conditions win.
-struct NodeCondition {
-  std::string name;
-  NodeRegion nodes;
-  std::optional<Expression> velocity_x;  ///< of t
-  std::optional<Expression> velocity_y;
-  std::optional<Expression> velocity_z;
-};
-
-/// A force on a material point that rides on a particle: the particle's own stencil cell is used, its
-/// bilinear polynomials evaluated at the point (also slightly outside of the cell), so that the force's
-/// resultant and moment are exact and no node without mass is loaded.
-struct LoadPoint {
-  std::int64_t carrier = 0;  ///< the particle's number
-  Vector position;           ///< at time 0
-  Vector force;              ///< times the time function of its group
-};
-
-/// Point forces and edge tractions that share a time function.
+/// Loads on surface points that share a time function.
 struct SurfaceLoad {
   std::string name;
   std::vector<LoadPoint> points;
   TimeFunction time;
+  bool follows = false;  ///< pressure times normal and area as they are now, no dead force
 };
 
 /// An acceleration of whole bodies.
@@ -98,7 +82,7 @@ class Model {
   Grid grid;
   std::vector<Material> materials;
   std::vector<Body> bodies;
-  std::vector<NodeCondition> conditions;
+  std::vector<BoundaryCondition> conditions;  ///< in the order of the scene
   std::vector<SurfaceLoad> surface_loads;
   std::vector<BodyLoad> body_loads;
   double end_time = 0;
@@ -112,7 +96,7 @@ class Model {
   }
 
  private:
-  friend class Validator;
+  friend class Checks;
   Model() = default;
 };
 

@@ -28,7 +28,7 @@ double value(const Table& table, double t) {
   return std::lerp(table.values[i - 1], table.values[i], share);
 }
 
-double value(const Expression& expression, double t) { return expression(0, 0, t); }
+double value(const Formula& formula, double t) { return formula({}, t); }
 
 }  // namespace
 

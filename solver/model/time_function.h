@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "solver/model/expression.h"
+#include "solver/model/formula.h"
 #include "solver/scene/scene.h"
 
 namespace trajan {
@@ -10,9 +10,10 @@ namespace trajan {
 /// A dimensionless factor that depends on time (loads.proto, TimeFunction).
 class TimeFunction {
  public:
-  using Kind = std::variant<double, Ramp, Sine, Table, Expression>;
+  using Kind = std::variant<double, Ramp, Sine, Table, Formula>;
   TimeFunction() : kind_(1.0) {}
   explicit TimeFunction(Kind kind) : kind_(std::move(kind)) {}
+  /// Throws FormulaNotFinite.
   double operator()(double t) const;
 
  private:

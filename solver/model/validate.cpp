@@ -70,7 +70,7 @@ void Validator::check_constants() {
   }
 }
 
-void Validator::check_names(const std::string& path, const std::vector<std::string>& names) {
+void Checks::check_names(const std::string& path, const std::vector<std::string>& names) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string place = indexed(path, i) + ".name";
@@ -85,7 +85,7 @@ void Validator::check_names(const std::string& path, const std::vector<std::stri
   }
 }
 
-void Validator::unknown_name(const std::string& path, const std::string& name, const std::string& what,
+void Checks::unknown_name(const std::string& path, const std::string& name, const std::string& what,
                              const std::vector<std::string>& known) {
   const std::string problem =
       name.empty() ? "no " + what + " is named" : "there is no " + what + " " + quoted(name);

@@ -36,7 +36,7 @@ std::string Validator::box_text(const Box& box) const {
   return point_text(box.lower, axes()) + " to " + point_text(box.upper, axes());
 }
 
-bool Validator::check_region(const std::string& path, const Region& region, bool solid) {
+bool Checks::check_region(const std::string& path, const Region& region, bool solid) {
   if (const Box* box = std::get_if<Box>(&region)) {
     const bool lower = check_vector(path + ".box.lower", box->lower);
     if (!check_vector(path + ".box.upper", box->upper) || !lower) return false;
@@ -119,7 +119,7 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
   return true;
 }
 
-std::optional<std::size_t> Validator::find_body(const std::string& path, const std::string& name) {
+std::optional<std::size_t> Checks::find_body(const std::string& path, const std::string& name) {
   const auto found = body_index_.find(name);
   if (found != body_index_.end()) return found->second;
   std::vector<std::string> names;
@@ -130,7 +130,7 @@ std::optional<std::size_t> Validator::find_body(const std::string& path, const s
   return std::nullopt;
 }
 
-bool Validator::is_complete(std::size_t body) const {
+bool Checks::is_complete(std::size_t body) const {
   return body < body_complete_.size() && body_complete_[body];
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/model/names.h"
 #include "solver/model/selection.h"
+#include "solver/model/surfaces.h"
 #include "solver/model/validator.h"
 
 namespace trajan {
@@ -50,66 +52,168 @@ bool is_empty(const Grid& grid, const NodeRegion& nodes) {
   return distance_from(*nodes.disc, node) > 0;
 }
 
+/// The nodes of a face of the domain's box.
+NodeRegion nodes_on(const Grid& grid, Edge face) {
+  NodeRegion nodes{0, grid.cells_x, 0, grid.cells_y, 0, grid.cells_z, {}};
+  std::int64_t* const ends[][2] = {{&nodes.i0, &nodes.i1}, {&nodes.j0, &nodes.j1}, {&nodes.k0, &nodes.k1}};
+  const auto& [lower, upper] = ends[normal_axis(face)];
+  (is_upper(face) ? *lower : *upper) = is_upper(face) ? *upper : *lower;
+  return nodes;
+}
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
 }  // namespace
 
 void Validator::check_boundaries() {
-  if (!check_list("boundaries", scene_.boundaries)) return;
-  for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
-    check_boundary(indexed("boundaries", i), scene_.boundaries[i]);
+  if (model_.dimension == Dimension::axisymmetric && grid_complete_ && model_.grid.origin.x == 0) {
+    // Nothing crosses the axis.
+    PrescribedMotion axis;
+    axis.nodes = nodes_on(model_.grid, Edge::left);
+    axis.components[0] = zero();
+    model_.conditions.push_back({"axis", std::move(axis)});
   }
+  if (!check_list("boundaries", scene_.boundaries)) return;
+  for (std::size_t i = 0; i < scene_.boundaries.size(); ++i)
+    check_boundary(indexed("boundaries", i), scene_.boundaries[i]);
 }
 
 void Validator::check_boundary(const std::string& path, const BoundaryDefinition& definition) {
-  NodeCondition condition;
-  condition.name = definition.name;
-  if (check_region(path + ".nodes", definition.nodes, false) && grid_complete_) {
-    condition.nodes = nodes_in(model_.grid, definition.nodes, node_tolerance);
-    if (is_empty(model_.grid, condition.nodes)) {
-      violations_.add(path + ".nodes", "", "the region catches no node of the grid",
-                      "enlarge the region; nodes lie at domain.lower + cell_size * (i, j, k)");
-    }
-  }
-  if (const auto* fixed = std::get_if<Fixed>(&definition.condition)) {
-    check_condition(path + ".fixed", *fixed, condition);
-  } else if (const auto* prescribed = std::get_if<PrescribedVelocity>(&definition.condition)) {
-    check_condition(path + ".prescribed_velocity", *prescribed, condition);
-  } else {
-    violations_.add(path, "", "no condition is given", "give fixed or prescribed_velocity");
-  }
-  model_.conditions.push_back(std::move(condition));
+  const auto check = Overloaded{
+      [&](std::monostate) {
+        violations_.add(path, "", "no condition is given", "give fixed, roller, symmetry or another condition");
+      },
+      [&](const Fixed& fixed) { add(definition, check_fixed(path, definition, fixed)); },
+      [&](const Roller& roller) { add(definition, check_roller(path, definition, roller)); },
+      [&](const Symmetry& symmetry) {
+        refuse_nodes(path, definition, "symmetry");
+        add(definition, check_symmetry(path + ".symmetry", symmetry));
+      },
+      [&](const PrescribedVelocity& prescribed) {
+        add(definition,
+            check_motion(path, definition, ".prescribed_velocity.velocity", prescribed.velocity, false));
+      },
+      [&](const PrescribedDisplacement& prescribed) {
+        add(definition, check_motion(path, definition, ".prescribed_displacement.displacement",
+                                     prescribed.displacement, true));
+      },
+      [&](const RigidPlane& plane) {
+        refuse_nodes(path, definition, "rigid_plane");
+        add(definition, check_plane(path + ".rigid_plane", plane));
+      },
+      [&](const RigidBall& ball) {
+        refuse_nodes(path, definition, "rigid_ball");
+        add(definition, check_ball(path + ".rigid_ball", ball));
+      },
+      [&](const Hinge& hinge) {
+        refuse_nodes(path, definition, "hinge");
+        add(definition, check_hinge(path + ".hinge", hinge));
+      },
+      [&](const Absorbing& absorbing) {
+        refuse_nodes(path, definition, "absorbing");
+        add(definition, check_absorbing(path + ".absorbing", absorbing));
+      }};
+  std::visit(check, definition.condition);
 }
 
-void Validator::check_condition(const std::string& path, const Fixed& fixed, NodeCondition& condition) {
-  const Expression zero("0", "t", {});
-  for (std::size_t i = 0; i < fixed.axes.size(); ++i) {
-    if (fixed.axes[i] == Axis::unspecified) {
-      violations_.add(indexed(path + ".axes", i), "", "AXIS_UNSPECIFIED is not an axis", "give X, Y or Z");
-    } else if (const int axis = static_cast<int>(fixed.axes[i]) - static_cast<int>(Axis::x); axis >= axes()) {
-      no_axis(indexed(path + ".axes", i), axis_names[static_cast<std::size_t>(axis)], axis);
-    }
-  }
-  const auto holds = [&](Axis axis) {
-    return fixed.axes.empty() || std::ranges::find(fixed.axes, axis) != fixed.axes.end();
-  };
-  if (holds(Axis::x)) condition.velocity_x = zero;
-  if (axes() > 1 && holds(Axis::y)) condition.velocity_y = zero;
-  if (axes() > 2 && holds(Axis::z)) condition.velocity_z = zero;
+template <class Kind>
+void Validator::add(const BoundaryDefinition& definition, Kind kind) {
+  model_.conditions.push_back({definition.name, std::move(kind)});
 }
 
-void Validator::check_condition(const std::string& path, const PrescribedVelocity& prescribed,
-                                NodeCondition& condition) {
-  const VectorExpression& velocity = prescribed.velocity;
-  if (!velocity.x && !velocity.y && !velocity.z) {
-    violations_.add(path + ".velocity", "", "no component is given", "give at least one");
+void Validator::refuse_nodes(const std::string& path, const BoundaryDefinition& definition,
+                             const std::string& condition) {
+  if (!std::holds_alternative<std::monostate>(definition.nodes))
+    violations_.add(path + "." + (std::holds_alternative<Edge>(definition.nodes) ? "face" : "nodes"), "",
+                    condition + " says itself where it is", "leave it out");
+}
+
+bool Validator::check_face(const std::string& path, Edge face) {
+  if (face == Edge::unspecified)
+    return violations_.add(path, "", "not given", "give LEFT, RIGHT, BOTTOM, TOP, BACK or FRONT");
+  if (normal_axis(face) < axes()) return true;
+  no_axis(path, "", normal_axis(face));
+  return false;
+}
+
+NodeRegion Validator::check_nodes(const std::string& path, const BoundaryDefinition& definition) {
+  if (const Edge* face = std::get_if<Edge>(&definition.nodes))
+    return check_face(path + ".face", *face) && grid_complete_ ? nodes_on(model_.grid, *face) : NodeRegion{};
+  const Region* given = std::get_if<Region>(&definition.nodes);
+  if (!check_region(path + ".nodes", given ? *given : Region{}, false) || !grid_complete_) return {};
+  const NodeRegion nodes = nodes_in(model_.grid, *given, node_tolerance);
+  if (is_empty(model_.grid, nodes))
+    violations_.add(path + ".nodes", "", "the region catches no node of the grid",
+                    "enlarge the region; nodes lie at domain.lower + cell_size * (i, j, k)");
+  return nodes;
+}
+
+bool Validator::check_axis(const std::string& path, Axis axis) {
+  if (axis == Axis::unspecified)
+    return violations_.add(path, "", "AXIS_UNSPECIFIED is not an axis", "give X, Y or Z");
+  const int index = static_cast<int>(axis) - static_cast<int>(Axis::x);
+  if (index < axes()) return true;
+  no_axis(path, axis_names[static_cast<std::size_t>(index)], index);
+  return false;
+}
+
+std::array<bool, 3> Validator::check_axes(const std::string& path, const std::vector<Axis>& given) {
+  std::array<bool, 3> held{};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes()); ++axis) held[axis] = given.empty();
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (check_axis(indexed(path, i), given[i]))
+      held[static_cast<std::size_t>(given[i]) - static_cast<std::size_t>(Axis::x)] = true;
+  return held;
+}
+
+PrescribedMotion Validator::check_motion(const std::string& path, const BoundaryDefinition& definition,
+                                         const std::string& field, const VectorExpression& formulas,
+                                         bool displacement) {
+  PrescribedMotion motion{check_nodes(path, definition), displacement, {}};
+  if (!formulas.x && !formulas.y && !formulas.z)
+    violations_.add(path + field, "", "no component is given", "give at least one");
+  const Grid& grid = model_.grid;
+  const Vector at{grid.origin.x + grid.cell * static_cast<double>(motion.nodes.i0),
+                  grid.origin.y + grid.cell * static_cast<double>(motion.nodes.j0),
+                  grid.origin.z + grid.cell * static_cast<double>(motion.nodes.k0)};
+  motion.components = motion_formulas(path + field, formulas, place_variables(), at);
+  return motion;
+}
+
+PrescribedMotion Validator::check_fixed(const std::string& path, const BoundaryDefinition& definition,
+                                        const Fixed& fixed) {
+  PrescribedMotion motion{check_nodes(path, definition), false, {}};
+  const std::array<bool, 3> held = check_axes(path + ".fixed.axes", fixed.axes);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (held[axis]) motion.components[axis] = zero();
+  return motion;
+}
+
+PrescribedMotion Validator::check_roller(const std::string& path, const BoundaryDefinition& definition,
+                                         const Roller& roller) {
+  PrescribedMotion motion{check_nodes(path, definition), false, {}};
+  Axis normal = roller.normal;
+  if (const Edge* face = std::get_if<Edge>(&definition.nodes); face && *face != Edge::unspecified) {
+    const auto of_face = static_cast<Axis>(static_cast<int>(Axis::x) + normal_axis(*face));
+    if (normal != Axis::unspecified && normal != of_face)
+      violations_.add(path + ".roller.normal", "", "not normal to the face", "leave it out");
+    normal = of_face;
+    if (normal_axis(*face) >= axes()) return motion;
   }
-  const auto component = [&](const std::optional<std::string>& text, int axis, std::optional<Expression>& made) {
-    const std::string place = path + ".velocity." + axis_names[static_cast<std::size_t>(axis)];
-    if (text && axis < axes()) made = history_formula(place, *text);
-    if (text && axis >= axes()) no_axis(place, *text, axis);
-  };
-  component(velocity.x, 0, condition.velocity_x);
-  component(velocity.y, 1, condition.velocity_y);
-  component(velocity.z, 2, condition.velocity_z);
+  if (check_axis(path + ".roller.normal", normal))
+    motion.components[static_cast<std::size_t>(normal) - static_cast<std::size_t>(Axis::x)] = zero();
+  return motion;
+}
+
+PrescribedMotion Validator::check_symmetry(const std::string& path, const Symmetry& symmetry) {
+  PrescribedMotion motion;
+  if (!check_face(path + ".face", symmetry.face) || !grid_complete_) return motion;
+  motion.nodes = nodes_on(model_.grid, symmetry.face);
+  motion.components[static_cast<std::size_t>(normal_axis(symmetry.face))] = zero();
+  return motion;
 }
 
 }  // namespace trajan

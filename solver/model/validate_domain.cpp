@@ -96,7 +96,7 @@ void Validator::check_grid(const std::string& path) {
   grid_complete_ = true;
 }
 
-bool Validator::is_above(Vector lower, Vector upper, bool strictly) const {
+bool Checks::is_above(Vector lower, Vector upper, bool strictly) const {
   for (int axis = 0; axis < axes(); ++axis) {
     const double extent = upper.*component[axis] - lower.*component[axis];
     if (!(strictly ? extent > 0 : extent >= 0)) return false;
@@ -104,7 +104,7 @@ bool Validator::is_above(Vector lower, Vector upper, bool strictly) const {
   return true;
 }
 
-bool Validator::check_vector(const std::string& path, Vector value) {
+bool Checks::check_vector(const std::string& path, Vector value) {
   bool good = true;
   for (int axis = 0; axis < 3; ++axis) {
     const double number = value.*component[axis];
@@ -115,14 +115,14 @@ bool Validator::check_vector(const std::string& path, Vector value) {
   return good;
 }
 
-void Validator::no_axis(const std::string& path, const std::string& value, int axis) {
+void Checks::no_axis(const std::string& path, const std::string& value, int axis) {
   if (model_.dimension == Dimension::unspecified) return;
   violations_.add(path, value,
                   std::string(description(model_.dimension)) + " has no " + axis_names[axis] + " axis",
                   "leave it out, or choose another domain.dimension");
 }
 
-std::string Validator::place_variables() const {
+std::string Checks::place_variables() const {
   return std::string("xyz").substr(0, static_cast<std::size_t>(axes()));
 }
 

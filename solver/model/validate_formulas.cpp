@@ -6,7 +6,7 @@
 
 namespace trajan {
 
-std::optional<Expression> Validator::formula(const std::string& path, const std::string& text,
+std::optional<Expression> Checks::formula(const std::string& path, const std::string& text,
                                              const std::string& variables, Vector at, double t) {
   formula_characters_ += std::min(text.size(), Expression::longest);
   if (formula_characters_ > most_formula_characters) {
@@ -29,18 +29,48 @@ std::optional<Expression> Validator::formula(const std::string& path, const std:
   return std::nullopt;
 }
 
-std::optional<Expression> Validator::history_formula(const std::string& path, const std::string& text) {
-  auto expression = formula(path, text, "t");
+std::optional<Expression> Checks::history_formula(const std::string& path, const std::string& text,
+                                                     const std::string& place, Vector at) {
+  auto expression = formula(path, text, place + "t", at);
   const double end = scene_.analysis.end_time;
-  if (expression && std::isfinite(end) && !std::isfinite((*expression)({}, end))) {
-    violations_.add(path, text, "the formula is not finite at t = " + number_text(end),
+  if (!expression || !std::isfinite(end)) return expression;
+  for (int i = 1; i <= history_checks; ++i) {
+    const double t = end * i / history_checks;
+    if (std::isfinite((*expression)(at, t))) continue;
+    violations_.add(path, text, "the formula is not finite at t = " + number_text(t),
                     "give a formula that is finite until the end");
     return std::nullopt;
   }
   return expression;
 }
 
-void Validator::field(const std::string& path, const VectorExpression& formulas, const std::string& variables,
+VectorFormula Checks::motion_formulas(const std::string& path, const VectorExpression& formulas,
+                                         const std::string& place, Vector at) {
+  const std::optional<std::string>* given[] = {&formulas.x, &formulas.y, &formulas.z};
+  VectorFormula made;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!*given[axis]) continue;
+    const std::string& text = **given[axis];
+    const std::string field = path + "." + axis_names[axis];
+    if (static_cast<int>(axis) >= axes()) {
+      no_axis(field, text, static_cast<int>(axis));
+    } else if (auto expression = history_formula(field, text, place, at)) {
+      made[axis].emplace(std::move(*expression), field, is_uniform(text));
+    }
+  }
+  return made;
+}
+
+bool Checks::is_uniform(const std::string& text) const {
+  try {
+    Expression(text, "t", constants_);
+    return true;
+  } catch (const FormulaError&) {
+    return false;
+  }
+}
+
+void Checks::field(const std::string& path, const VectorExpression& formulas, const std::string& variables,
                       Vector at, std::array<std::optional<Expression>*, 3> components) {
   const std::optional<std::string>* given[] = {&formulas.x, &formulas.y, &formulas.z};
   for (int axis = 0; axis < 3; ++axis) {

@@ -9,28 +9,12 @@ namespace trajan {
 
 namespace {
 
-/// An edge of a box: the particles along it are at place(i, 0), its points at place(i, s), where s in
-/// [-1, 1] goes over the part of the edge that belongs to particle i.
-struct EdgeLine {
-  const Body& body;
-  Edge edge;
-
-  bool vertical() const { return edge == Edge::left || edge == Edge::right; }
-  bool upper() const { return edge == Edge::right || edge == Edge::top; }
-  std::int64_t particles() const { return vertical() ? body.lattice.rows : body.lattice.columns; }
-  double spacing() const { return vertical() ? body.lattice.spacing.y : body.lattice.spacing.x; }
-  std::int64_t carrier(std::int64_t i) const {
-    const Lattice& lattice = body.lattice;
-    return vertical() ? box_particle(body, upper() ? lattice.columns - 1 : 0, i)
-                      : box_particle(body, i, upper() ? lattice.rows - 1 : 0);
-  }
-  Vector place(std::int64_t i, double s) const {
-    const Box& box = std::get<Box>(body.lattice.geometry);
-    const Vector particle = vertical() ? body.lattice.point(0, i) : body.lattice.point(i, 0);
-    if (vertical()) return {upper() ? box.upper.x : box.lower.x, particle.y + s * spacing() / 2};
-    return {particle.x + s * spacing() / 2, upper() ? box.upper.y : box.lower.y};
-  }
-};
+double largest_spacing(const Lattice& lattice, int axes) {
+  double spacing = lattice.spacing.x;
+  if (axes > 1) spacing = std::max(spacing, lattice.spacing.y);
+  if (axes > 2) spacing = std::max(spacing, lattice.spacing.z);
+  return spacing;
+}
 
 /// Index of the first time that is not after the one before it; 0 if all are.
 std::size_t first_disorder(const std::vector<double>& times) {
@@ -67,18 +51,27 @@ void Validator::check_loads() {
 }
 
 void Validator::check_load(const std::string& path, const LoadDefinition& definition) {
-  const TimeFunction time = time_function(path + ".time", definition.time).value_or(TimeFunction());
+  SurfaceLoad load;
+  load.name = definition.name;
+  load.time = time_function(path + ".time", definition.time).value_or(TimeFunction());
   if (const auto* point = std::get_if<PointForce>(&definition.kind)) {
-    model_.surface_loads.push_back({definition.name, load_points(path + ".point_force", *point), time});
+    load.points = load_points(path + ".point_force", *point);
   } else if (const auto* edge = std::get_if<EdgeTraction>(&definition.kind)) {
-    model_.surface_loads.push_back({definition.name, load_points(path + ".edge_traction", *edge), time});
+    load.points = load_points(path + ".edge_traction", *edge);
+  } else if (const auto* pressure = std::get_if<Pressure>(&definition.kind)) {
+    load.points = load_points(path + ".pressure", *pressure);
+    load.follows = pressure->follows;
   } else if (const auto* body = std::get_if<BodyForce>(&definition.kind)) {
     check_vector(path + ".body_force.acceleration", body->acceleration);
     model_.body_loads.push_back(
-        {definition.name, body->acceleration, loaded_bodies(path + ".body_force", *body), time});
+        {definition.name, body->acceleration, loaded_bodies(path + ".body_force", *body), load.time});
+    return;
   } else {
-    violations_.add(path, "", "no kind of load is given", "give point_force, edge_traction or body_force");
+    violations_.add(path, "", "no kind of load is given",
+                    "give point_force, edge_traction, pressure or body_force");
+    return;
   }
+  model_.surface_loads.push_back(std::move(load));
 }
 
 std::vector<LoadPoint> Validator::load_points(const std::string& path, const PointForce& force) {
@@ -87,62 +80,65 @@ std::vector<LoadPoint> Validator::load_points(const std::string& path, const Poi
   const bool place = check_vector(path + ".position", force.position);
   if (!place || !body || !is_complete(*body)) return {};
   const Body& carrier = model_.bodies[*body];
-  const Vector spacing = carrier.lattice.spacing;
-  const double farthest = std::max(spacing.x, spacing.y) * (1 + node_tolerance);
+  const double spacing = largest_spacing(carrier.lattice, axes());
   const double outside = distance_from(carrier.lattice.geometry, force.position);
-  if (!(outside <= farthest)) {
-    violations_.add(path + ".position", point_text(force.position, axes()),
-                    number_text(outside) + " outside of body " + quoted(force.body),
-                    "choose a place in the body or at most " + number_text(std::max(spacing.x, spacing.y)) +
-                        " (one particle spacing) outside");
+  if (!(outside <= spacing * (1 + node_tolerance))) {
+    violations_.add(
+        path + ".position", point_text(force.position, axes()),
+        number_text(outside) + " outside of body " + quoted(force.body),
+        "choose a place in the body or at most " + number_text(spacing) + " (one particle spacing) outside");
     return {};
   }
-  return {{nearest_particle(carrier, force.position).particle, force.position, force.force}};
+  LoadPoint point;
+  point.carrier = nearest_particle(carrier, force.position).particle;
+  point.position = force.position;
+  point.force = force.force;
+  return {point};
 }
 
-/// Two Gauss points on each particle's part of the edge: the resultant is exact for profiles up to the
-/// third degree, its moment up to the second; for others the error is of fourth order in the spacing.
 std::vector<LoadPoint> Validator::load_points(const std::string& path, const EdgeTraction& traction) {
-  const auto body = find_body(path + ".body", traction.body);
   check_vector(path + ".traction", traction.traction);
-  if (traction.edge == Edge::unspecified) {
-    violations_.add(path + ".edge", "", "not given", "give LEFT, RIGHT, BOTTOM or TOP");
+  const auto points = check_surface(path, {traction.body, traction.edge, traction.within});
+  std::vector<LoadPoint> loaded;
+  for (const auto& [point, share] : with_profile(path + ".profile", traction.profile, points)) {
+    loaded.push_back({point, {}, 0});
+    loaded.back().force = {share * traction.traction.x, share * traction.traction.y, share * traction.traction.z};
   }
-  const bool box = !body || std::holds_alternative<Box>(scene_.bodies[*body].geometry);
-  if (!box) {
-    violations_.add(path + ".body", traction.body,
-                    quoted(traction.body) + " is not a box and has no straight edges",
-                    "choose a body whose geometry is a box");
-  }
-  const bool usable = body && box && is_complete(*body);
-  const Vector somewhere = usable ? model_.bodies[*body].lattice.first : Vector{};
-  const auto profile =
-      formula(path + ".profile", traction.profile.empty() ? "1" : traction.profile, place_variables(), somewhere);
-  if (!usable || !profile || traction.edge == Edge::unspecified) return {};
+  return loaded;
+}
 
-  const EdgeLine line{model_.bodies[*body], traction.edge};
-  load_points_ += 2 * static_cast<double>(line.particles());
-  if (load_points_ > most_load_points) {
-    violations_.add(path + ".edge", std::to_string(line.particles()) + " particles",
-                    "there are too many particles along loaded edges", "give larger cells");
-    return {};
+std::vector<LoadPoint> Validator::load_points(const std::string& path, const Pressure& pressure) {
+  violations_.finite(path + ".pressure", pressure.pressure);
+  const auto points = check_surface(path + ".surface", pressure.surface);
+  std::vector<LoadPoint> loaded;
+  for (const auto& [point, share] : with_profile(path + ".profile", pressure.profile, points)) {
+    const auto& [s, t] = point.tangents;
+    const Vector n{s.y * t.z - s.z * t.y, s.z * t.x - s.x * t.z, s.x * t.y - s.y * t.x};
+    const double force = -pressure.pressure * share / std::hypot(n.x, n.y, n.z);
+    loaded.push_back({point, {force * n.x, force * n.y, force * n.z}, pressure.pressure * share / point.area});
   }
-  const double weight = line.spacing() / 2 * model_.thickness;
-  std::vector<LoadPoint> points;
-  for (std::int64_t i = 0; i < line.particles(); ++i) {
-    for (const double s : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
-      const Vector place = line.place(i, s);
-      const double share = weight * (*profile)(place, 0);
-      if (!std::isfinite(share)) {
-        violations_.add(path + ".profile", traction.profile,
-                        "the formula is not finite at " + point_text(place, axes()),
-                        "give a formula that is finite along the edge");
-        return {};
-      }
-      points.push_back({line.carrier(i), place, {share * traction.traction.x, share * traction.traction.y}});
+  return loaded;
+}
+
+std::vector<std::pair<SurfacePoint, double>> Validator::with_profile(const std::string& path,
+                                                                     const std::string& profile,
+                                                                     const std::vector<SurfacePoint>& points) {
+  const Vector somewhere = points.empty() ? Vector{} : points.front().position;
+  const auto factor = formula(path, profile.empty() ? "1" : profile, place_variables(), somewhere);
+  if (!factor) return {};
+  std::vector<std::pair<SurfacePoint, double>> shares;
+  for (const SurfacePoint& point : points) {
+    // On the axis of an axisymmetric scene there is nothing to load.
+    if (!(point.area > 0)) continue;
+    const double share = point.area * (*factor)(point.position, 0);
+    if (!std::isfinite(share)) {
+      violations_.add(path, profile, "the formula is not finite at " + point_text(point.position, axes()),
+                      "give a formula that is finite along the edge");
+      return {};
     }
+    shares.emplace_back(point, share);
   }
-  return points;
+  return shares;
 }
 
 std::vector<std::size_t> Validator::loaded_bodies(const std::string& path, const BodyForce& force) {
@@ -185,9 +181,9 @@ std::optional<TimeFunction> Validator::time_function(const std::string& path,
     if (!check_table(violations_, path + ".table", *table)) return std::nullopt;
     return TimeFunction(*table);
   }
-  if (auto expression = history_formula(path + ".expression", std::get<std::string>(definition))) {
-    return TimeFunction(std::move(*expression));
-  }
+  const std::string place = path + ".expression";
+  if (auto expression = history_formula(place, std::get<std::string>(definition)))
+    return TimeFunction(Formula(std::move(*expression), place, true));
   return std::nullopt;
 }
 

@@ -33,4 +33,14 @@ struct Disc {
 /// monostate: not given.
 using Region = std::variant<std::monostate, Box, Disc>;
 
+/// Sides of a box along x, y and z, the lower one first.
+enum class Edge { unspecified, left, right, bottom, top, back, front };
+
+/// A part of the surface of a body: an edge of a box, or what lies on a circle; within a region if one is given.
+struct Surface {
+  std::string body;
+  std::variant<std::monostate, Edge, Disc> part;
+  Region within = {};
+};
+
 }  // namespace trajan

@@ -34,13 +34,19 @@ struct PointForce {
   Vector force;
 };
 
-enum class Edge { unspecified, left, right, bottom, top };
-
 struct EdgeTraction {
   std::string body;
   Edge edge = Edge::unspecified;
   Vector traction;
   std::string profile;
+  Region within = {};
+};
+
+struct Pressure {
+  Surface surface;
+  double pressure = 0;
+  std::string profile;
+  bool follows = true;  ///< the current configuration
 };
 
 struct BodyForce {
@@ -50,7 +56,7 @@ struct BodyForce {
 
 struct LoadDefinition {
   std::string name;
-  std::variant<std::monostate, PointForce, EdgeTraction, BodyForce> kind;
+  std::variant<std::monostate, PointForce, EdgeTraction, BodyForce, Pressure> kind;
   TimeFunctionDefinition time = 1.0;
 };
 

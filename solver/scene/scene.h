@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/scene/boundaries.h"
 #include "solver/scene/geometry.h"
 #include "solver/scene/loads.h"
 #include "solver/scene/outputs.h"
@@ -54,22 +55,6 @@ struct BodyDefinition {
   Region geometry;
   std::int32_t particles_per_cell_side = 2;
   VectorExpression initial_velocity;
-};
-
-enum class Axis { unspecified, x, y, z };
-
-struct Fixed {
-  std::vector<Axis> axes;
-};
-
-struct PrescribedVelocity {
-  VectorExpression velocity;
-};
-
-struct BoundaryDefinition {
-  std::string name;
-  Region nodes;
-  std::variant<std::monostate, Fixed, PrescribedVelocity> condition;
 };
 
 struct Analysis {

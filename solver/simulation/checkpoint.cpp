@@ -53,6 +53,20 @@ void unpack(const Checkpoint& checkpoint, Tiles& tiles) {
   tiles.rebuild(occupied, std::move(blocks), blocks_of);
 }
 
+std::vector<double> surface_points(const std::vector<Riders*>& all) {
+  std::vector<double> packed;
+  for (Riders* riders : all) packed.insert(packed.end(), riders->state().begin(), riders->state().end());
+  return packed;
+}
+
+void restore(const std::vector<double>& packed, const std::vector<Riders*>& all) {
+  auto from = packed.begin();
+  for (Riders* riders : all) {
+    std::copy_n(from, riders->state().size(), riders->state().begin());
+    from += static_cast<std::ptrdiff_t>(riders->state().size());
+  }
+}
+
 }  // namespace
 
 Checkpoint Simulation::save() {
@@ -70,7 +84,7 @@ Checkpoint Simulation::save() {
   }
   checkpoint.arrays.push_back({"tiles", pack(executor_.tiles())});
   checkpoint.arrays.push_back({"blocks", pack(executor_.tiles().blocks())});
-  checkpoint.arrays.push_back({"load_points", executor_.loads().positions()});
+  checkpoint.arrays.push_back({"surface_points", surface_points(executor_.riders())});
   checkpoint.arrays.push_back({"energies", std::vector<double>{executor_.work(), executor_.dissipated(),
                                                                initial_energy_, largest_energy_, largest_input_}});
   return checkpoint;
@@ -90,7 +104,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
     body.number.assign(numbers.begin(), numbers.end());
   }
   unpack(checkpoint, executor_.tiles());
-  executor_.loads().positions() = array<double>(checkpoint, "load_points");
+  restore(array<double>(checkpoint, "surface_points"), executor_.riders());
   executor_.bind();
   const auto& energies = array<double>(checkpoint, "energies");
   executor_.restore(energies[0], energies[1]);

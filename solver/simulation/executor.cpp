@@ -35,7 +35,7 @@ Executor::Executor(const Model& model, int threads)
       pool_(threads),
       bodies_(make_particles(model)),
       conditions_(model),
-      loads_(model, find_scheme(model.numerics.scheme)->total_lagrangian),
+      loads_(model),
       tiles_(transfer_.layout, quantities(node_vectors, axes_),
              quantities(loads_.none() ? sum_load : sum_vectors, axes_)) {
   sweep_.cell = model.grid.cell;
@@ -54,7 +54,6 @@ Executor::Executor(const Model& model, int threads)
                                                transfer_.layout.window_nodes);
   for (int thread = 0; thread < threads; ++thread) {
     scratch_.push_back(std::make_unique<Scratch>());
-    collected_.push_back(std::make_unique<NodeSums>());
     windows_.emplace_back(window, 0.0);
     scratch_.back()->window = windows_.back().data();
     stencils_.emplace_back(static_cast<std::size_t>(transfer_.stencil_doubles), 0.0);
@@ -71,11 +70,13 @@ void Executor::sort() {
 }
 
 void Executor::bind() {
-  conditions_.bind(tiles_);
+  or_diverge([&] { conditions_.bind(bodies_, tiles_); });
   loads_.bind(bodies_, tiles_);
+  // Conditions on surfaces act between two passes over the tiles, of which the second needs what the first found.
+  const std::size_t tiles = tiles_.tiles().size();
+  collected_.resize(conditions_.on_surfaces() ? tiles : scratch_.size());
   shares_ = tiles_.shares(pool_.size());
-  tile_work_.assign(tiles_.tiles().size(), 0.0);
-  tile_dissipated_.assign(tiles_.tiles().size(), 0.0);
+  tile_reactions_.assign(tiles, {});
 }
 
 template <class Of>
@@ -89,7 +90,10 @@ void Executor::for_each_tile(Of&& of) {
 
 void Executor::particles(std::initializer_list<Pass> passes) {
   for (Pass pass : passes) {
-    if (pass == Pass::move || pass == Pass::displace) loads_.advect(tiles_, bodies_, times_.drift);
+    if (pass == Pass::move || pass == Pass::displace) {
+      loads_.advect(tiles_, bodies_, times_.drift);
+      conditions_.advect(tiles_, bodies_, times_.drift);
+    }
     noted_.push_back(pass);
   }
 }
@@ -250,51 +254,81 @@ Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& s
   return block;
 }
 
-void Executor::update_velocities(const StepTimes& times, double light_node) {
-  loads_.accelerate(bodies_, times.time);
-  finish();
-  loads_.add_to(tiles_, bodies_, times.time);
+template <class Of>
+void Executor::or_diverge(Of&& of) {
+  try {
+    of();
+  } catch (const FormulaNotFinite& error) {
+    diverge(error.what(), "give a formula that is finite throughout the run");
+  }
+}
+
+void Executor::prepare(const StepTimes& times) {
   times_ = times;
+  or_diverge([&] { loads_.prepare(bodies_, times.time); });
+  finish();
+  or_diverge([&] { conditions_.prepare({times.time, times.before, times.after, times.drift}); });
   sweep_.kick = times.kick();
   sweep_.drift = times.drift;
-  conditions_.evaluate(times.before, times.after, times.kick());
-  for_each_tile([&](std::size_t index, std::size_t thread) {
-    NodeBlock block;
-    block.nodes = tiles_.nodes(index);
-    block.sums = tiles_.sums_around(tiles_.tiles()[index]);
-    block.sum_quantities = tiles_.sum_quantities();
-    block.kick = times.kick();
-    block.damping = model_.damping;
-    block.least_mass = least_mass_share * lightest_particle_;
-    block.collected = collected_[thread].get();
-    transfer_.update_velocities(block);
-    const double reactions = conditions_.prescribe(index, block.nodes, times.kick());
-    if (light_node > 0) {
-      block.light_mass = light_node * lightest_particle_;
-      motion_.calm_light_nodes(block);
-      conditions_.prescribe_mapped(index, block.nodes);
-    }
-    if (!account_) return;
-    motion_.account(block);
-    tile_work_[index] = block.work + reactions;
-    tile_dissipated_[index] = block.dissipated;
-  });
+}
+
+NodeBlock Executor::node_block(std::size_t tile, std::size_t thread) {
+  NodeBlock block;
+  block.nodes = tiles_.nodes(tile);
+  block.sums = tiles_.sums_around(tiles_.tiles()[tile]);
+  block.sum_quantities = tiles_.sum_quantities();
+  block.kick = times_.kick();
+  block.damping = model_.damping;
+  block.least_mass = least_mass_share * lightest_particle_;
+  block.collected = &collected_[conditions_.on_surfaces() ? tile : thread];
+  return block;
+}
+
+void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
+  if (light_node > 0) {
+    block.light_mass = light_node * lightest_particle_;
+    motion_.calm_light_nodes(block);
+    conditions_.act_on_mapped(tile);
+  }
   if (!account_) return;
-  for (double work : tile_work_) work_ += work;
-  for (double dissipated : tile_dissipated_) dissipated_ += dissipated;
+  motion_.account(block);
+  tile_reactions_[tile] += {block.work, block.dissipated};
+}
+
+void Executor::update_velocities(const StepTimes& times, double light_node) {
+  prepare(times);
+  loads_.add_to(tiles_, bodies_);
+  const bool in_one_pass = !conditions_.on_surfaces();
+  for_each_tile([&](std::size_t tile, std::size_t thread) {
+    NodeBlock block = node_block(tile, thread);
+    transfer_.update_velocities(block);
+    tile_reactions_[tile] = conditions_.act(tile);
+    if (in_one_pass) complete(block, tile, light_node);
+  });
+  Reaction reaction;
+  if (!in_one_pass) {
+    reaction = conditions_.act_on_surfaces(bodies_, tiles_);
+    for_each_tile([&](std::size_t tile, std::size_t thread) {
+      NodeBlock block = node_block(tile, thread);
+      complete(block, tile, light_node);
+    });
+    if (light_node > 0) conditions_.act_on_mapped_surfaces(bodies_, tiles_, false);
+  }
+  if (!account_) return;
+  for (const Reaction& of_tile : tile_reactions_) reaction += of_tile;
+  work_ += reaction.work;
+  dissipated_ += reaction.dissipated;
 }
 
 void Executor::map_velocities(bool with_mass) {
   finish();
-  for_each_tile([&](std::size_t index, std::size_t) {
-    NodeBlock block;
-    block.nodes = tiles_.nodes(index);
-    block.sums = tiles_.sums_around(tiles_.tiles()[index]);
-    block.least_mass = least_mass_share * lightest_particle_;
+  for_each_tile([&](std::size_t tile, std::size_t thread) {
+    NodeBlock block = node_block(tile, thread);
     block.collect_mass = with_mass;
     transfer_.map_velocities(block);
-    conditions_.prescribe_mapped(index, block.nodes);
+    conditions_.act_on_mapped(tile);
   });
+  conditions_.act_on_mapped_surfaces(bodies_, tiles_, with_mass);
 }
 
 }  // namespace trajan

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/boundaries/node_conditions.h"
+#include "solver/boundaries/conditions.h"
 #include "solver/executors/thread_pool.h"
 #include "solver/loads/loads.h"
 #include "solver/simulation/particles.h"
@@ -78,7 +78,8 @@ class Executor {
   const std::vector<BodyParticles>& bodies() const { return bodies_; }
   Tiles& tiles() { return tiles_; }
   const Tiles& tiles() const { return tiles_; }
-  Loads& loads() { return loads_; }
+  /// The surface points of loads and boundary conditions.
+  std::vector<Riders*> riders();
   /// Counts sortings, for whoever keeps slots.
   std::int64_t sortings() const { return sortings_; }
   double work() const { return work_; }
@@ -99,6 +100,14 @@ class Executor {
   std::vector<Stage> stages_of(Pass pass, const BodyParticles& body) const;
   std::vector<Stage> deform_stages(const BodyParticles& body) const;
   unsigned gathered(Pass pass) const;
+  /// Turns a formula that fails into divergence.
+  template <class Of>
+  void or_diverge(Of&& of);
+  /// Finishes, and evaluates all that depends on time.
+  void prepare(const StepTimes& times);
+  NodeBlock node_block(std::size_t tile, std::size_t thread);
+  /// What follows once a tile's velocities are final.
+  void complete(NodeBlock& block, std::size_t tile, double light_node);
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
   template <class Of>
@@ -111,18 +120,18 @@ class Executor {
   const TransferKernels& transfer_;
   ThreadPool pool_;
   std::vector<BodyParticles> bodies_;
-  NodeConditions conditions_;
+  Conditions conditions_;
   Loads loads_;
   Tiles tiles_;
   SweepConstants sweep_;
   StepTimes times_;
   std::vector<Pass> noted_;  ///< passes over particles that are still to be run
   std::vector<std::unique_ptr<const Chain>> chains_;
-  std::vector<std::unique_ptr<Scratch>> scratch_;     ///< by thread
-  std::vector<std::unique_ptr<NodeSums>> collected_;  ///< by thread
-  std::vector<AlignedDoubles> windows_, stencils_;    ///< by thread
+  std::vector<std::unique_ptr<Scratch>> scratch_;   ///< by thread
+  std::vector<NodeSums> collected_;                 ///< by thread or by tile
+  std::vector<AlignedDoubles> windows_, stencils_;  ///< by thread
   std::vector<std::size_t> shares_;
-  std::vector<double> tile_work_, tile_dissipated_;
+  std::vector<Reaction> tile_reactions_;
   std::vector<Totals> tile_totals_;
   double lightest_particle_ = 0;
   bool account_ = false;

@@ -94,8 +94,14 @@ std::int64_t Executor::worst_particle() const {
   return particle;
 }
 
+std::vector<Riders*> Executor::riders() {
+  std::vector<Riders*> riders = conditions_.riders();
+  for (Riders& of_load : loads_.riders()) riders.push_back(&of_load);
+  return riders;
+}
+
 std::size_t Executor::memory() const {
-  std::size_t bytes = tiles_.memory() + scratch_.size() * (sizeof(Scratch) + sizeof(NodeSums));
+  std::size_t bytes = tiles_.memory() + scratch_.size() * sizeof(Scratch) + collected_.size() * sizeof(NodeSums);
   for (const auto* arrays : {&windows_, &stencils_})
     for (const AlignedDoubles& array : *arrays) bytes += array.capacity() * sizeof(double);
   for (const BodyParticles& body : bodies_) {

@@ -48,15 +48,19 @@ TEST(Model, ParticlesShareTheVolumeOfTheirBody) {
   EXPECT_DOUBLE_EQ(model.bodies[1].particle_volume, spacing * spacing * 0.2);
 }
 
+PrescribedMotion motion(const Model& model, std::size_t condition) {
+  return std::get<PrescribedMotion>(model.conditions.at(condition).kind);
+}
+
 TEST(Model, RegionsOfNodesAreClippedToTheGrid) {
   Scene scene = sample_scene();
   scene.boundaries[0].nodes = Box{{-100, 0.5 - 1e-12}, {0.1, 0.5 + 1e-12}};
   scene.boundaries[1].nodes = Disc{{9, 2}, 0.25};
   const Model model = validate(scene);
-  const NodeRegion& box = model.conditions.at(0).nodes;
+  const NodeRegion& box = motion(model, 0).nodes;
   EXPECT_EQ(std::vector<std::int64_t>({box.i0, box.i1, box.j0, box.j1}), (std::vector<std::int64_t>{0, 4, 6, 6}));
   EXPECT_FALSE(box.disc);
-  const NodeRegion& disc = model.conditions.at(1).nodes;
+  const NodeRegion& disc = motion(model, 1).nodes;
   EXPECT_EQ(std::vector<std::int64_t>({disc.i0, disc.i1, disc.j0, disc.j1}),
             (std::vector<std::int64_t>{39, 40, 11, 12}));
   EXPECT_TRUE(disc.disc);
@@ -66,12 +70,12 @@ TEST(Model, ConditionsLeaveComponentsFreeThatAreNotGiven) {
   Scene scene = sample_scene();
   scene.boundaries[0].condition = Fixed{{Axis::y}};
   const Model model = validate(scene);
-  EXPECT_FALSE(model.conditions[0].velocity_x);
-  EXPECT_EQ((*model.conditions[0].velocity_y)(0, 0, 1), 0);
-  EXPECT_FALSE(model.conditions[1].velocity_x);
-  EXPECT_DOUBLE_EQ((*model.conditions[1].velocity_y)(0, 0, std::numbers::pi / 2), 0.1);
+  EXPECT_FALSE(motion(model, 0).components[0]);
+  EXPECT_EQ((*motion(model, 0).components[1])({}, 1), 0);
+  EXPECT_FALSE(motion(model, 1).components[0]);
+  EXPECT_DOUBLE_EQ((*motion(model, 1).components[1])({}, std::numbers::pi / 2), 0.1);
   scene.boundaries[0].condition = Fixed{};
-  EXPECT_TRUE(validate(scene).conditions[0].velocity_x);
+  EXPECT_TRUE(motion(validate(scene), 0).components[0]);
 }
 
 TEST(Model, HistoriesHaveTheColumnsOfProbesThenTheWhole) {

@@ -57,7 +57,9 @@ TEST(TimeFunction, TableIsLinearBetweenItsPointsAndConstantOutside) {
   EXPECT_EQ(TimeFunction(Table{{1}, {7}})(-3), 7);
 }
 
-TEST(TimeFunction, ExpressionIsOfTime) { EXPECT_EQ(TimeFunction(Expression("t^2", "t", {}))(3), 9); }
+TEST(TimeFunction, ExpressionIsOfTime) {
+  EXPECT_EQ(TimeFunction(Formula(Expression("t^2", "t", {}), "time", true))(3), 9);
+}
 
 }  // namespace
 }  // namespace trajan

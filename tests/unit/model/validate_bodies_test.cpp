@@ -84,6 +84,23 @@ const std::vector<Mistake> bodies = {
      "bodies[0].geometry", "finite volume"},
 };
 
+Hinge hinge(const std::string& body, HingeKind kind, const Region& within) {
+  Hinge hinge;
+  hinge.surface.body = body;
+  hinge.surface.part = Edge::left;
+  hinge.surface.within = within;
+  hinge.kind = kind;
+  return hinge;
+}
+
+Pressure pressure(const std::string& body, decltype(Surface::part) part) {
+  Pressure pressure;
+  pressure.surface.body = body;
+  pressure.surface.part = part;
+  pressure.pressure = 1;
+  return pressure;
+}
+
 const std::vector<Mistake> boundaries = {
     {"NoRegion", [](Scene& s) { s.boundaries[0].nodes = {}; }, "boundaries[0].nodes", "no shape"},
     {"BoxBetweenNodes",
@@ -114,16 +131,75 @@ const std::vector<Mistake> boundaries = {
      "boundaries[0].fixed.axes[1]", "not an axis"},
     {"NoComponent", [](Scene& s) { s.boundaries[0].condition = PrescribedVelocity{}; },
      "boundaries[0].prescribed_velocity.velocity", "no component"},
-    {"VelocityOfPlace",
+    {"VelocityOfAnAxisThatThereIsNot",
      [](Scene& s) {
-       s.boundaries[0].condition = PrescribedVelocity{{"x", "t"}};
+       s.boundaries[0].condition = PrescribedVelocity{{"z", "t"}};
      },
-     "boundaries[0].prescribed_velocity.velocity.x", "\"x\""},
+     "boundaries[0].prescribed_velocity.velocity.x", "\"z\""},
     {"InfiniteAtTheEnd",
      [](Scene& s) {
        s.boundaries[0].condition = PrescribedVelocity{{"1 / (10 - t)", "t"}};
      },
      "boundaries[0].prescribed_velocity.velocity.x", "t = 10"},
+    {"InfiniteInBetween",
+     [](Scene& s) {
+       s.boundaries[0].condition = PrescribedVelocity{{"1 / (t - 5)", "t"}};
+     },
+     "boundaries[0].prescribed_velocity.velocity.x", "t = 5"},
+    {"RollerWithoutNormal", [](Scene& s) { s.boundaries[0].condition = Roller{}; }, "boundaries[0].roller.normal",
+     "not an axis"},
+    {"RollerAcrossItsFace",
+     [](Scene& s) {
+       s.boundaries[0].nodes = Edge::left;
+       s.boundaries[0].condition = Roller{Axis::y};
+     },
+     "boundaries[0].roller.normal", "not normal"},
+    {"FaceThatAPlaneLacks", [](Scene& s) { s.boundaries[0].nodes = Edge::back; }, "boundaries[0].face",
+     "no z axis"},
+    {"SymmetryOfARegion", [](Scene& s) { s.boundaries[0].condition = Symmetry{Edge::left}; },
+     "boundaries[0].nodes", "says itself"},
+    {"SymmetryWithoutFace",
+     [](Scene& s) {
+       s.boundaries[0] = {"sides", {}, Symmetry{}};
+     },
+     "boundaries[0].symmetry.face", "not given"},
+    {"DisplacementWithoutComponents", [](Scene& s) { s.boundaries[0].condition = PrescribedDisplacement{}; },
+     "boundaries[0].prescribed_displacement.displacement", "no component"},
+    {"PlaneWithoutNormal",
+     [](Scene& s) {
+       s.boundaries[0] = {"floor", {}, RigidPlane{{0, 0}, {0, 0}, {}}};
+     },
+     "boundaries[0].rigid_plane.normal", "no direction"},
+    {"NegativeFriction",
+     [](Scene& s) {
+       s.boundaries[0] = {"floor", {}, RigidPlane{{0, 0}, {0, 1}, {-0.1, false, false, {}}}};
+     },
+     "boundaries[0].rigid_plane.contact.friction", "negative"},
+    {"BallWithoutRadius",
+     [](Scene& s) {
+       s.boundaries[0] = {"ball", {}, RigidBall{{0, 0}, 0, {}}};
+     },
+     "boundaries[0].rigid_ball.radius", "greater than 0"},
+    {"HingeOfNoKind",
+     [](Scene& s) {
+       s.boundaries[0] = {"pin", {}, hinge("beam", HingeKind::unspecified, {})};
+     },
+     "boundaries[0].hinge.kind", "not given"},
+    {"HingeOnADisc",
+     [](Scene& s) {
+       s.boundaries[0] = {"pin", {}, hinge("ball", HingeKind::mean, {})};
+     },
+     "boundaries[0].hinge.surface.body", "not a box"},
+    {"HingeOnNothing",
+     [](Scene& s) {
+       s.boundaries[0] = {"pin", {}, hinge("beam", HingeKind::mean, Box{{1, 0}, {2, 1}})};
+     },
+     "boundaries[0].hinge.surface.within", "catches nothing"},
+    {"AbsorbingRim",
+     [](Scene& s) {
+       s.boundaries[0] = {"quiet", {}, Absorbing{pressure("ball", Disc{{4, 1.5}, 0.4}).surface}};
+     },
+     "boundaries[0].absorbing.surface.rim", "straight edge"},
     {"SameName", [](Scene& s) { s.boundaries[1].name = "clamp"; }, "boundaries[1].name", "earlier"},
 };
 
@@ -137,6 +213,18 @@ const std::vector<Mistake> loads = {
     {"ProfileOfTime", [](Scene& s) { traction(s).profile = "t"; }, "loads[0].edge_traction.profile", "\"t\""},
     {"ProfileWithAPole", [](Scene& s) { traction(s).profile = "sqrt(0.5 - y)"; }, "loads[0].edge_traction.profile",
      "not finite at (8, "},
+    {"PressureOnNoPart", [](Scene& s) { s.loads[0].kind = pressure("beam", {}); }, "loads[0].pressure.surface",
+     "no part"},
+    {"PressureOnAForeignRim",
+     [](Scene& s) {
+       s.loads[0].kind = pressure("ball", Disc{{4, 1.5}, 0.2});
+     },
+     "loads[0].pressure.surface.rim", "no part of the body's surface"},
+    {"TractionOnNothing",
+     [](Scene& s) {
+       traction(s).within = Box{{0, 0}, {1, 1}};
+     },
+     "loads[0].edge_traction.within", "catches nothing"},
     {"UnknownBodyOfAForce",
      [](Scene& s) {
        gravity(s).bodies = {"beam", "bal"};

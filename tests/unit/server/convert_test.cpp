@@ -1,11 +1,8 @@
 #include "server/convert.h"
 
 #include <gmock/gmock.h>
-#include <google/protobuf/text_format.h>
 
-#include <fstream>
-#include <sstream>
-
+#include "tests/unit/server/every_field.h"
 #include "tests/unit/server/scene_schema.h"
 
 namespace trajan {
@@ -15,42 +12,6 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Pair;
 using ::testing::UnorderedElementsAre;
-
-v1::Scene parse(const std::string& text) {
-  v1::Scene scene;
-  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &scene)) << text;
-  return scene;
-}
-
-/// The message of every_field.textproto and its translation.
-class EveryField : public ::testing::Test {
- protected:
-  static v1::Scene read() {
-    std::ostringstream text;
-    text << std::ifstream(TRAJAN_TEST_DATA "/every_field.textproto").rdbuf();
-    return parse(text.str());
-  }
-  v1::Scene message_ = read();
-  Scene scene_ = to_scene(message_);
-};
-
-void expect_vector(const Vector& vector, double x, double y, double z = 0) {
-  EXPECT_EQ(vector.x, x);
-  EXPECT_EQ(vector.y, y);
-  EXPECT_EQ(vector.z, z);
-}
-
-void expect_box(const Region& region, double lower_x, double lower_y, double upper_x, double upper_y) {
-  ASSERT_TRUE(std::holds_alternative<Box>(region));
-  expect_vector(std::get<Box>(region).lower, lower_x, lower_y);
-  expect_vector(std::get<Box>(region).upper, upper_x, upper_y);
-}
-
-void expect_disc(const Region& region, double x, double y, double radius) {
-  ASSERT_TRUE(std::holds_alternative<Disc>(region));
-  expect_vector(std::get<Disc>(region).centre, x, y);
-  EXPECT_EQ(std::get<Disc>(region).radius, radius);
-}
 
 TEST_F(EveryField, UsesTheWholeSchema) {
   std::set<std::string> missing = testing::schema_of(*v1::Scene::descriptor());
@@ -65,7 +26,7 @@ TEST_F(EveryField, UsesTheWholeSchema) {
   // A scene has one dimension; what is unspecified is another test's.
   EXPECT_THAT(missing, ElementsAre("trajan.v1.Domain.AXISYMMETRIC", "trajan.v1.Domain.BAR",
                                    "trajan.v1.Domain.DIMENSION_UNSPECIFIED", "trajan.v1.Domain.PLANE_STRESS",
-                                   "trajan.v1.Domain.SOLID", "trajan.v1.EdgeTraction.EDGE_UNSPECIFIED"));
+                                   "trajan.v1.Domain.SOLID"));
 }
 
 TEST_F(EveryField, KeepsNamesConstantsAndDomain) {
@@ -111,38 +72,6 @@ TEST_F(EveryField, KeepsBodies) {
   EXPECT_EQ(scene_.bodies[0].initial_velocity.x, "1*x");
   EXPECT_EQ(scene_.bodies[0].initial_velocity.y, "2*y");
   expect_disc(scene_.bodies[1].geometry, 6.1, 6.2, 6.3);
-}
-
-TEST_F(EveryField, KeepsBoundaries) {
-  ASSERT_EQ(scene_.boundaries.size(), 2u);
-  EXPECT_EQ(scene_.boundaries[0].name, "clamp");
-  expect_box(scene_.boundaries[0].nodes, 7.1, 7.2, 7.3, 7.4);
-  EXPECT_THAT(std::get<Fixed>(scene_.boundaries[0].condition).axes,
-              ElementsAre(Axis::y, Axis::x, Axis::z, Axis::unspecified));
-  expect_disc(scene_.boundaries[1].nodes, 8.1, 8.2, 8.3);
-  const auto& piston = std::get<PrescribedVelocity>(scene_.boundaries[1].condition);
-  EXPECT_EQ(piston.velocity.x, "3*t");
-  EXPECT_EQ(piston.velocity.y, "4*t");
-  EXPECT_EQ(piston.velocity.z, "5*t");
-}
-
-TEST_F(EveryField, KeepsLoads) {
-  ASSERT_EQ(scene_.loads.size(), 6u);
-  EXPECT_EQ(scene_.loads[0].name, "point");
-  const auto& point = std::get<PointForce>(scene_.loads[0].kind);
-  EXPECT_EQ(point.body, "ball");
-  expect_vector(point.position, 9.1, 9.2);
-  expect_vector(point.force, 9.3, 9.4);
-  const auto& left = std::get<EdgeTraction>(scene_.loads[1].kind);
-  EXPECT_EQ(left.body, "beam");
-  expect_vector(left.traction, 10.1, 10.2);
-  EXPECT_EQ(left.profile, "y");
-  std::vector<Edge> edges;
-  for (int i : {1, 2, 3, 4}) edges.push_back(std::get<EdgeTraction>(scene_.loads[i].kind).edge);
-  EXPECT_THAT(edges, ElementsAre(Edge::left, Edge::right, Edge::bottom, Edge::top));
-  const auto& gravity = std::get<BodyForce>(scene_.loads[5].kind);
-  expect_vector(gravity.acceleration, 13.1, 13.2);
-  EXPECT_THAT(gravity.bodies, ElementsAre("ball", "beam"));
 }
 
 TEST_F(EveryField, KeepsTimeFunctions) {

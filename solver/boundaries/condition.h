@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solver/scene/geometry.h"
+
+/// The seam of boundary conditions. A condition is called once per tile or once per kick, never per particle
+/// or node.
+namespace trajan {
+
+/// The nodes of one tile of the background grid and what they hold: one array of `count` doubles per
+/// quantity, the mass and then vectors.
+struct TileNodes {
+  static constexpr int count = 64;
+  int dimensions = 2;
+  std::array<std::int64_t, 3> first{};  ///< grid indices of the first node
+  double* values = nullptr;
+
+  int bits() const { return 6 / dimensions; }
+  /// Grid index of a node along an axis.
+  std::int64_t index(int node, int axis) const {
+    return axis < dimensions ? first[axis] + ((node >> (bits() * axis)) & ((1 << bits()) - 1)) : 0;
+  }
+  double* mass() const { return values; }
+  double* acceleration(int axis) const { return component(0, axis); }
+  double* velocity(int axis) const { return component(1, axis); }
+  double* mapped_velocity(int axis) const { return component(2, axis); }
+
+ private:
+  double* component(int vector, int axis) const { return values + (1 + vector * dimensions + axis) * count; }
+};
+
+/// Where nodes are: node (i, j, k) at origin + cell * (i, j, k).
+struct GridFrame {
+  int dimensions = 2;
+  Vector origin;
+  double cell = 0;
+  Vector place(const TileNodes& tile, int node) const {
+    return {origin.x + cell * static_cast<double>(tile.index(node, 0)),
+            origin.y + cell * static_cast<double>(tile.index(node, 1)),
+            origin.z + cell * static_cast<double>(tile.index(node, 2))};
+  }
+};
+
+/// When a kick happens: velocities go from `before` to `after`, positions are those of `time` and then go on
+/// by `drift`.
+struct Kick {
+  double time = 0, before = 0, after = 0, drift = 0;
+  double length() const { return after - before; }
+};
+
+/// Energy that reactions bring in by work, and that they consume.
+struct Reaction {
+  double work = 0, dissipated = 0;
+  Reaction& operator+=(const Reaction& other) {
+    work += other.work;
+    dissipated += other.dissipated;
+    return *this;
+  }
+};
+
+/// Bits of the components that are prescribed, by tile and node.
+using HeldComponents = std::vector<std::uint8_t>;
+
+class Condition {
+ public:
+  virtual ~Condition() = default;
+  /// Whether its reactions can do work or consume energy.
+  virtual bool works() const = 0;
+  /// Finds the nodes of these tiles that are concerned, and marks those components that it prescribes.
+  virtual void bind(std::span<const TileNodes> tiles, HeldComponents& held) = 0;
+  /// Prepares for a kick. Throws FormulaNotFinite.
+  virtual void prepare(const Kick& kick) = 0;
+  /// Changes accelerations and velocities after the kick of a tile's nodes, each as if the other were.
+  virtual Reaction act(std::size_t tile, const TileNodes& nodes) = 0;
+  /// Makes the velocities fit that were mapped a second time.
+  virtual void act_on_mapped(std::size_t tile, const TileNodes& nodes) const = 0;
+};
+
+}  // namespace trajan

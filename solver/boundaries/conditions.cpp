@@ -1,0 +1,77 @@
+#include "solver/boundaries/conditions.h"
+
+#include <algorithm>
+
+#include "solver/boundaries/registry.h"
+
+namespace trajan {
+
+Conditions::Conditions(const Model& model) : axes_(grid_axes(model.dimension)) {
+#define TRAJAN_MAKE(Kind) Kind::make(model, on_nodes_);
+  TRAJAN_FOR_EACH_NODE_CONDITION(TRAJAN_MAKE)
+#undef TRAJAN_MAKE
+#define TRAJAN_MAKE(Kind) Kind::make(model, on_surfaces_);
+  TRAJAN_FOR_EACH_SURFACE_CONDITION(TRAJAN_MAKE)
+#undef TRAJAN_MAKE
+  const auto works = [](const auto& condition) { return condition->works(); };
+  work_ = std::ranges::any_of(on_nodes_, works) || std::ranges::any_of(on_surfaces_, works);
+}
+
+void Conditions::bind(const std::vector<BodyParticles>& bodies, Tiles& tiles) {
+  tiles_.clear();
+  for (std::size_t t = 0; t < tiles.tiles().size(); ++t) {
+    TileNodes nodes{axes_, {}, tiles.nodes(t)};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      nodes.first[axis] = std::int64_t{tiles.tiles()[t].at[axis]} * tiles.layout().side;
+    tiles_.push_back(nodes);
+  }
+  if (on_nodes_.empty() && on_surfaces_.empty()) return;
+  held_.assign(tiles_.size() * TileNodes::count, 0);
+  for (auto& condition : on_nodes_) condition->bind(tiles_, held_);
+  for (auto& condition : on_surfaces_) condition->bind(bodies, tiles);
+  if (kick_) prepare(*kick_);
+}
+
+void Conditions::prepare(const Kick& kick) {
+  kick_ = kick;
+  for (auto& condition : on_nodes_) condition->prepare(kick);
+  for (auto& condition : on_surfaces_) condition->prepare(kick);
+}
+
+Reaction Conditions::act(std::size_t tile) {
+  Reaction reaction;
+  for (auto& condition : on_nodes_) reaction += condition->act(tile, tiles_[tile]);
+  return reaction;
+}
+
+void Conditions::act_on_mapped(std::size_t tile) const {
+  for (const auto& condition : on_nodes_) condition->act_on_mapped(tile, tiles_[tile]);
+}
+
+Reaction Conditions::act_on_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles) {
+  Reaction reaction;
+  for (auto& condition : on_surfaces_) {
+    condition->find_nodes(bodies, tiles);
+    reaction += condition->act(tiles, held_);
+  }
+  return reaction;
+}
+
+void Conditions::act_on_mapped_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles, bool moved) {
+  for (auto& condition : on_surfaces_) {
+    if (moved) condition->find_nodes(bodies, tiles);
+    condition->act_on_mapped(tiles, held_);
+  }
+}
+
+void Conditions::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) {
+  for (auto& condition : on_surfaces_) condition->advect(tiles, bodies, drift);
+}
+
+std::vector<Riders*> Conditions::riders() const {
+  std::vector<Riders*> riders;
+  for (const auto& condition : on_surfaces_) riders.push_back(&condition->riders());
+  return riders;
+}
+
+}  // namespace trajan

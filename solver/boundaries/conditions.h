@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "solver/boundaries/surface_condition.h"
+
+namespace trajan {
+
+/// All boundary conditions of a model.
+class Conditions {
+ public:
+  explicit Conditions(const Model& model);
+  /// Whether reactions can do work or consume energy.
+  bool work() const { return work_; }
+  /// Whether some act on surfaces, which is done once after all tiles.
+  bool on_surfaces() const { return !on_surfaces_.empty(); }
+
+  /// Finds what is concerned after particles have been sorted.
+  void bind(const std::vector<BodyParticles>& bodies, Tiles& tiles);
+  /// Throws FormulaNotFinite.
+  void prepare(const Kick& kick);
+  /// Changes accelerations and velocities of a tile's nodes after a kick.
+  Reaction act(std::size_t tile);
+  /// Makes the velocities fit that were mapped a second time.
+  void act_on_mapped(std::size_t tile) const;
+  /// The same for conditions on surfaces, on all tiles.
+  Reaction act_on_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles);
+  /// `moved`: particles are no longer where they were when forces acted.
+  void act_on_mapped_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles, bool moved);
+  /// Moves surface points; to be called before the particles move.
+  void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
+  /// The points of the conditions on surfaces.
+  std::vector<Riders*> riders() const;
+
+ private:
+  int axes_;  ///< of the grid
+  std::vector<std::unique_ptr<Condition>> on_nodes_;
+  std::vector<std::unique_ptr<SurfaceCondition>> on_surfaces_;
+  std::vector<TileNodes> tiles_;
+  HeldComponents held_;
+  std::optional<Kick> kick_;  ///< the last one
+  bool work_ = false;
+};
+
+}  // namespace trajan

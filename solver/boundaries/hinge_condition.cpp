@@ -1,0 +1,63 @@
+#include "solver/boundaries/hinge_condition.h"
+
+namespace trajan {
+
+void HingeCondition::make(const Model& model, std::vector<std::unique_ptr<SurfaceCondition>>& conditions) {
+  for (const BoundaryCondition& condition : model.conditions)
+    if (const auto* surface = std::get_if<HeldSurface>(&condition.kind))
+      conditions.push_back(std::make_unique<HingeCondition>(model, *surface));
+}
+
+HingeCondition::HingeCondition(const Model& model, const HeldSurface& surface)
+    : SurfaceCondition(model, surface.points, surface.normal, surface.mean),
+      surface_(surface),
+      velocities_(model) {}
+
+void HingeCondition::prepare(const Kick& kick) {
+  kick_ = kick.length();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::optional<Formula>& u = surface_.displacement[axis];
+    if (!u) continue;
+    velocity_[axis] = velocities_.of(*u, true, {}, kick).after;
+    moved_[axis] = (*u)({}, kick.time + kick.drift);
+  }
+}
+
+Reaction HingeCondition::act(Tiles& tiles, const HeldComponents& held) {
+  Reaction reaction;
+  for (int axis = 0; axis < axes_; ++axis) {
+    if (!surface_.held[static_cast<std::size_t>(axis)]) continue;
+    for (const SurfaceMean& part : means_) {
+      const Mean now = mean(tiles, held, part, node_velocity, axis);
+      if (!(now.inverse_mass > 0)) continue;
+      const double impulse = (velocity_[static_cast<std::size_t>(axis)] - now.velocity) / now.inverse_mass;
+      reaction.work += impulse * push(tiles, held, part, axis, impulse, kick_);
+    }
+  }
+  return reaction;
+}
+
+void HingeCondition::act_on_mapped(Tiles& tiles, const HeldComponents& held) const {
+  for (int axis = 0; axis < axes_; ++axis) {
+    if (!surface_.held[static_cast<std::size_t>(axis)]) continue;
+    for (const SurfaceMean& part : means_) {
+      const Mean now = mean(tiles, held, part, node_mapped_velocity, axis);
+      if (now.inverse_mass > 0)
+        push_mapped(tiles, held, part, axis,
+                    (velocity_[static_cast<std::size_t>(axis)] - now.velocity) / now.inverse_mass);
+    }
+  }
+}
+
+/// Where every point is held, it is known where it is.
+void HingeCondition::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) {
+  SurfaceCondition::advect(tiles, bodies, drift);
+  if (riders_.total_lagrangian() || surface_.mean || !(drift > 0)) return;
+  for (std::size_t p = 0; p < riders_.size(); ++p)
+    for (int axis = 0; axis < axes_; ++axis)
+      if (surface_.held[static_cast<std::size_t>(axis)])
+        riders_.place(p, axis,
+                      component(riders_.point(p).position, axis) + moved_[static_cast<std::size_t>(axis)]);
+}
+
+}  // namespace trajan

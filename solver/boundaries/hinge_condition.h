@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solver/boundaries/prescribed_nodes.h"
+#include "solver/boundaries/surface_condition.h"
+
+namespace trajan {
+
+/// Gives means of a surface's velocity, each by the one impulse that does it: the constrained motion of least
+/// kinetic energy change, without penalty and whatever the place of the nodes.
+class HingeCondition : public SurfaceCondition {
+ public:
+  static void make(const Model& model, std::vector<std::unique_ptr<SurfaceCondition>>& conditions);
+  HingeCondition(const Model& model, const HeldSurface& surface);
+  bool works() const override { return true; }
+  void prepare(const Kick& kick) override;
+  Reaction act(Tiles& tiles, const HeldComponents& held) override;
+  void act_on_mapped(Tiles& tiles, const HeldComponents& held) const override;
+  void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) override;
+
+ private:
+  const HeldSurface& surface_;
+  PrescribedVelocities velocities_;
+  double kick_ = 0;
+  std::array<double, 3> velocity_{};  ///< after the kick
+  std::array<double, 3> moved_{};     ///< displacement after the drift
+};
+
+}  // namespace trajan

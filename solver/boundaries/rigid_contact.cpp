@@ -1,0 +1,141 @@
+#include "solver/boundaries/rigid_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trajan {
+namespace {
+
+/// Nodes this close to a surface, in cells, are on it.
+constexpr double tolerance = 1e-9;
+
+/// A normal that has lost more than this to components that are prescribed has no direction.
+constexpr double least_normal = 1e-6;
+
+using Components = std::array<double, 3>;
+
+double dot(const Components& a, const Components& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+}  // namespace
+
+void RigidContact::make(const Model& model, std::vector<std::unique_ptr<Condition>>& conditions) {
+  for (const BoundaryCondition& condition : model.conditions)
+    if (const auto* obstacle = std::get_if<RigidObstacle>(&condition.kind))
+      conditions.push_back(std::make_unique<RigidContact>(model, *obstacle));
+}
+
+RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle)
+    : obstacle_(obstacle),
+      frame_{grid_axes(model.dimension), model.grid.origin, model.grid.cell},
+      velocities_(model) {}
+
+void RigidContact::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
+  held_ = &held;
+  sticks_.assign(tiles.size() * TileNodes::count, 0);
+}
+
+void RigidContact::prepare(const Kick& kick) {
+  kick_ = kick.length();
+  point_ = obstacle_.point;
+  double* const moved[] = {&point_.x, &point_.y, &point_.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::optional<Formula>& u = obstacle_.displacement[axis];
+    if (!u) continue;
+    *moved[axis] += (*u)({}, kick.time);
+    velocity_[axis] = velocities_.of(*u, true, {}, kick).after;
+  }
+}
+
+double RigidContact::distance(Vector at, Components& normal) const {
+  const Components from = {at.x - point_.x, at.y - point_.y, at.z - point_.z};
+  if (!obstacle_.ball) {
+    normal = {obstacle_.normal.x, obstacle_.normal.y, obstacle_.normal.z};
+    return dot(from, normal);
+  }
+  const double length = std::sqrt(dot(from, from));
+  for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] = length > 0 ? from[axis] / length : 0;
+  return length - obstacle_.radius;
+}
+
+bool RigidContact::may_touch(const TileNodes& nodes) const {
+  const Vector a = frame_.place(nodes, 0), b = frame_.place(nodes, TileNodes::count - 1);
+  Components normal;
+  const Vector centre{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+  return distance(centre, normal) <= std::hypot(b.x - a.x, b.y - a.y, b.z - a.z) / 2 + frame_.cell;
+}
+
+bool RigidContact::respond(const Components& relative, Components normal, unsigned held,
+                           Components& change) const {
+  change = {};
+  Components free = relative;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (held >> axis & 1u) free[axis] = normal[axis] = 0;
+  if (obstacle_.bonded) {
+    for (std::size_t axis = 0; axis < 3; ++axis) change[axis] = -free[axis];
+    return true;
+  }
+  const double length = std::sqrt(dot(normal, normal));
+  if (length < least_normal) return false;
+  for (double& component : normal) component /= length;
+  const double approach = -dot(free, normal);
+  if (approach <= 0 && obstacle_.separates) return false;
+  Components along;
+  for (std::size_t axis = 0; axis < 3; ++axis) along[axis] = free[axis] + approach * normal[axis];
+  const double sliding = std::sqrt(dot(along, along));
+  const double friction = obstacle_.friction * std::max(0.0, approach);
+  const bool sticks = sliding <= friction;
+  const double share = sticks ? 1 : friction / sliding;
+  for (std::size_t axis = 0; axis < 3; ++axis) change[axis] = approach * normal[axis] - share * along[axis];
+  return sticks;
+}
+
+Reaction RigidContact::act(std::size_t tile, const TileNodes& nodes) {
+  std::uint8_t* sticks = sticks_.data() + tile * TileNodes::count;
+  const std::uint8_t* held = held_->data() + tile * TileNodes::count;
+  std::fill(sticks, sticks + TileNodes::count, std::uint8_t{0});
+  Reaction reaction;
+  if (!may_touch(nodes)) return reaction;
+  const auto axes = static_cast<std::size_t>(frame_.dimensions);
+  for (int node = 0; node < TileNodes::count; ++node) {
+    Components normal, relative{}, change;
+    const double mass = nodes.mass()[node];
+    if (!(mass > 0) || distance(frame_.place(nodes, node), normal) > tolerance * frame_.cell) continue;
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      relative[axis] = nodes.velocity(static_cast<int>(axis))[node] - velocity_[axis];
+    sticks[node] = respond(relative, normal, held[node], change);
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      double& a = nodes.acceleration(static_cast<int>(axis))[node];
+      double& v = nodes.velocity(static_cast<int>(axis))[node];
+      a += change[axis] / kick_;
+      v += change[axis];
+      // Force times the velocity in the middle of the kick is what the body gains.
+      const double impulse = mass * change[axis];
+      reaction.work += impulse * velocity_[axis];
+      reaction.dissipated += impulse * (velocity_[axis] - (v - 0.5 * kick_ * a));
+    }
+  }
+  return reaction;
+}
+
+/// Friction has been applied once, with the momentum that was mapped first; what stuck sticks here too.
+void RigidContact::act_on_mapped(std::size_t tile, const TileNodes& nodes) const {
+  if (!may_touch(nodes)) return;
+  const auto axes = static_cast<std::size_t>(frame_.dimensions);
+  for (int node = 0; node < TileNodes::count; ++node) {
+    const std::size_t index = tile * TileNodes::count + static_cast<std::size_t>(node);
+    Components normal, relative{};
+    if (distance(frame_.place(nodes, node), normal) > tolerance * frame_.cell) continue;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      relative[axis] = nodes.mapped_velocity(static_cast<int>(axis))[node] - velocity_[axis];
+      if ((*held_)[index] >> axis & 1u) relative[axis] = normal[axis] = 0;
+    }
+    const double square = dot(normal, normal);
+    double share = square > least_normal * least_normal ? dot(relative, normal) / square : 0;
+    if (obstacle_.separates) share = std::min(share, 0.0);
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      nodes.mapped_velocity(static_cast<int>(axis))[node] -=
+          sticks_[index] ? relative[axis] : share * normal[axis];
+  }
+}
+
+}  // namespace trajan

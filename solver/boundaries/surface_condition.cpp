@@ -1,0 +1,121 @@
+#include "solver/boundaries/surface_condition.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace trajan {
+namespace {
+
+/// Lines that carry less than this share of the largest one's area only touch the surface's end.
+constexpr double least_share = 1e-6;
+
+}  // namespace
+
+SurfaceCondition::SurfaceCondition(const Model& model, const std::vector<SurfacePoint>& points, int normal,
+                                   bool mean)
+    : axes_(grid_axes(model.dimension)), riders_(model, points, false), normal_(normal), mean_(mean) {}
+
+void SurfaceCondition::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
+  riders_.bind(bodies, tiles);
+}
+
+void SurfaceCondition::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) {
+  riders_.advect(tiles, bodies, drift);
+}
+
+void SurfaceCondition::find_nodes(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
+  shares_.clear();
+  for (std::size_t p = 0; p < riders_.size(); ++p)
+    share(tiles, riders_.stencil(tiles, bodies, p), riders_.point(p).area);
+  collect();
+}
+
+void SurfaceCondition::share(const Tiles& tiles, const Riders::Stencil& stencil, double area) {
+  const Layout& layout = tiles.layout();
+  Riders::Stencil s = stencil;
+  // Along the surface a point has no need to be outside its carrier's cell, and weights stay positive.
+  for (int axis = 0; axis < axes_; ++axis)
+    if (axis != normal_) s.of_point[axis] = std::clamp(s.of_point[axis], 0.0, 1.0);
+  const std::array<double, 8> weights = riders_.weights(s.of_point);
+  for (int n = 0; n < riders_.corners(); ++n) {
+    const Riders::Owner at = riders_.owner(tiles, s.tile, s.node + riders_.corner(layout, n));
+    std::int64_t line = 0;
+    for (int axis = 0; !mean_ && axis < axes_; ++axis) {
+      if (axis == normal_) continue;
+      const int in_tile = at.node / layout.tile_stride(axis) % layout.side;
+      line = line << 31 | (std::int64_t{tiles.tiles()[at.tile].at[axis]} * layout.side + in_tile);
+    }
+    shares_.push_back({line, {at.tile, static_cast<std::uint32_t>(at.node), area * weights[n]}});
+  }
+}
+
+void SurfaceCondition::collect() {
+  const auto key = [](const Share& s) { return std::tie(s.line, s.node.tile, s.node.node); };
+  std::stable_sort(shares_.begin(), shares_.end(),
+                   [&](const Share& a, const Share& b) { return key(a) < key(b); });
+  nodes_.clear();
+  means_.clear();
+  double largest = 0;
+  for (std::size_t i = 0; i < shares_.size();) {
+    SurfaceMean mean{static_cast<std::uint32_t>(nodes_.size()), 0, 0};
+    const std::int64_t line = shares_[i].line;
+    for (; i < shares_.size() && shares_[i].line == line; ++i) {
+      const SurfaceNode& node = shares_[i].node;
+      mean.area += node.weight;
+      const bool same =
+          nodes_.size() > mean.begin && nodes_.back().tile == node.tile && nodes_.back().node == node.node;
+      if (same) nodes_.back().weight += node.weight;
+      if (!same) nodes_.push_back(node);
+    }
+    mean.end = static_cast<std::uint32_t>(nodes_.size());
+    largest = std::max(largest, mean.area);
+    means_.push_back(mean);
+  }
+  std::erase_if(means_, [&](const SurfaceMean& mean) { return mean.area <= least_share * largest; });
+  for (const SurfaceMean& mean : means_)
+    for (std::uint32_t n = mean.begin; n < mean.end; ++n) nodes_[n].weight /= mean.area;
+}
+
+double SurfaceCondition::inverse_mass(const Tiles& tiles, const HeldComponents& held, const SurfaceNode& at,
+                                      int axis) const {
+  if (held[at.tile * tile_nodes + at.node] >> axis & 1u) return 0;
+  const double mass = tiles.nodes(at.tile)[quantity_mass * tile_nodes + at.node];
+  return mass > 0 ? 1 / mass : 0;
+}
+
+SurfaceCondition::Mean SurfaceCondition::mean(const Tiles& tiles, const HeldComponents& held,
+                                              const SurfaceMean& of, NodeVector vector, int axis) const {
+  Mean mean;
+  for (std::uint32_t n = of.begin; n < of.end; ++n) {
+    const SurfaceNode& at = nodes_[n];
+    mean.velocity += at.weight * tiles.nodes(at.tile)[quantity(vector, axis, axes_) * tile_nodes + at.node];
+    mean.inverse_mass += at.weight * at.weight * inverse_mass(tiles, held, at, axis);
+  }
+  return mean;
+}
+
+double SurfaceCondition::push(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,
+                              double impulse, double kick) const {
+  double middle = 0;
+  for (std::uint32_t n = to.begin; n < to.end; ++n) {
+    const SurfaceNode& at = nodes_[n];
+    double& a = tiles.nodes(at.tile)[quantity(node_acceleration, axis, axes_) * tile_nodes + at.node];
+    double& v = tiles.nodes(at.tile)[quantity(node_velocity, axis, axes_) * tile_nodes + at.node];
+    const double change = impulse * at.weight * inverse_mass(tiles, held, at, axis);
+    a += change / kick;
+    v += change;
+    middle += at.weight * (v - 0.5 * kick * a);
+  }
+  return middle;
+}
+
+void SurfaceCondition::push_mapped(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,
+                                   double impulse) const {
+  for (std::uint32_t n = to.begin; n < to.end; ++n) {
+    const SurfaceNode& at = nodes_[n];
+    tiles.nodes(at.tile)[quantity(node_mapped_velocity, axis, axes_) * tile_nodes + at.node] +=
+        impulse * at.weight * inverse_mass(tiles, held, at, axis);
+  }
+}
+
+}  // namespace trajan

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "solver/scene/geometry.h"
+
+namespace trajan {
+
+/// A quadrature point of a body's surface, which rides on a particle: what it does to the grid goes to the
+/// nodes of the particle's cell by the multilinear polynomials of that cell, evaluated at the point (also
+/// slightly outside of the cell). So resultant and moment are exact, and no node without mass is touched.
+struct SurfacePoint {
+  std::int64_t carrier = 0;  ///< the particle's number
+  Vector position;           ///< at time 0
+  double area = 0;           ///< that it stands for, thickness included; axisymmetric: per radian
+  /// Vectors along the surface whose product is outward normal times area without the thickness: in the
+  /// plane the second is along z.
+  std::array<Vector, 2> tangents{};
+};
+
+}  // namespace trajan

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/names.h"
+#include "solver/model/selection.h"
+#include "solver/model/surfaces.h"
+#include "solver/model/validator.h"
+
+namespace trajan {
+namespace {
+
+/// Searching the particles nearest to a rim takes time with the rows of the body.
+constexpr double most_rim_work = 1e8;
+
+/// Shear modulus of an isotropic solid from Young's modulus E and that of compression waves M, of the two
+/// that there are the one of a Poisson's ratio that is not negative: 4 G^2 - (3 M + E) G + E M = 0.
+double shear_modulus(double e, double m) {
+  const double sum = 3 * m + e;
+  return (sum - std::sqrt(std::max(0.0, sum * sum - 16 * e * m))) / 8;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> Validator::check_surface(const std::string& path, const Surface& surface) {
+  const auto body = find_body(path + ".body", surface.body);
+  bool usable = body && is_complete(*body);
+  const bool limited = !std::holds_alternative<std::monostate>(surface.within);
+  if (limited) usable = check_region(path + ".within", surface.within, false) && usable;
+  std::vector<SurfacePoint> points;
+  if (const Edge* edge = std::get_if<Edge>(&surface.part)) {
+    points = check_edge(path, surface.body, usable ? body : std::nullopt, *edge);
+  } else if (const Disc* rim = std::get_if<Disc>(&surface.part)) {
+    points = check_rim(path + ".rim", usable ? body : std::nullopt, *rim);
+  } else {
+    violations_.add(path, "", "no part of the surface is given", "give edge or rim");
+  }
+  if (!limited || !usable || points.empty()) return points;
+  const double slack = node_tolerance * model_.grid.cell;
+  std::erase_if(points, [&](const SurfacePoint& p) { return distance_from(surface.within, p.position) > slack; });
+  if (points.empty())
+    violations_.add(path + ".within", "", "the region catches nothing of the surface", "enlarge the region");
+  return points;
+}
+
+std::vector<SurfacePoint> Validator::check_edge(const std::string& path, const std::string& name,
+                                                std::optional<std::size_t> body, Edge edge) {
+  const bool face = check_face(path + ".edge", edge);
+  if (!body) return {};
+  if (!std::holds_alternative<Box>(scene_.bodies[*body].geometry)) {
+    violations_.add(path + ".body", name, quoted(name) + " is not a box and has no straight edges",
+                    "choose a body whose geometry is a box");
+    return {};
+  }
+  if (!face) return {};
+  const double count = count_edge_points(model_.bodies[*body], edge, axes());
+  load_points_ += count;
+  if (load_points_ > most_load_points) {
+    violations_.add(path + ".edge", number_text(count) + " points",
+                    "there are too many particles along edges with loads and conditions", "give larger cells");
+    return {};
+  }
+  return edge_points(model_, model_.bodies[*body], edge);
+}
+
+std::vector<SurfacePoint> Validator::check_rim(const std::string& path, std::optional<std::size_t> body,
+                                               const Disc& rim) {
+  const bool centre = check_vector(path + ".centre", rim.centre);
+  if (!violations_.positive(path + ".radius", rim.radius) || !centre || !body) return {};
+  if (axes() == 1) {
+    violations_.add(path, "", "a bar has no rim", "give an edge");
+    return {};
+  }
+  const Body& carrier = model_.bodies[*body];
+  const double count = count_rim_points(carrier, rim, axes());
+  load_points_ += count;
+  if (!(load_points_ <= most_load_points) ||
+      count * static_cast<double>(carrier.lattice.rows * carrier.lattice.planes) > most_rim_work) {
+    violations_.add(path, number_text(count) + " points", "there are too many particles along the rim",
+                    "give larger cells");
+    return {};
+  }
+  std::vector<SurfacePoint> points = rim_points(model_, carrier, rim);
+  if (points.empty())
+    violations_.add(path, "", "no part of the body's surface lies on it",
+                    "give the centre and radius of the body's own rim or hole");
+  return points;
+}
+
+HeldSurface Validator::check_hinge(const std::string& path, const Hinge& hinge) {
+  HeldSurface held;
+  if (hinge.kind == HingeKind::unspecified) violations_.add(path + ".kind", "", "not given", "give WHOLE or MEAN");
+  held.mean = hinge.kind == HingeKind::mean;
+  held.held = check_axes(path + ".axes", hinge.axes);
+  held.displacement = motion_formulas(path + ".displacement", hinge.displacement);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (held.displacement[axis] && !held.held[axis])
+      violations_.add(path + ".displacement." + axis_names[axis], held.displacement[axis]->text(),
+                      "this component is not held", "add it to axes, or leave it out");
+  held.points = check_surface(path + ".surface", hinge.surface);
+  held.normal = surface_normal(path + ".surface", hinge.surface);
+  return held;
+}
+
+AbsorbingSurface Validator::check_absorbing(const std::string& path, const Absorbing& absorbing) {
+  AbsorbingSurface surface;
+  surface.points = check_surface(path + ".surface", absorbing.surface);
+  surface.normal = surface_normal(path + ".surface", absorbing.surface);
+  const auto body = body_index_.find(absorbing.surface.body);
+  if (body == body_index_.end() || !is_complete(body->second)) return surface;
+  if (model_.bodies[body->second].material >= model_.materials.size()) return surface;
+  const Material& material = model_.materials[model_.bodies[body->second].material];
+  if (!material.kind) return surface;
+  const auto modulus = [&](Dimension dimension) {
+    const double speed = material.kind->wave_speed(material.parameters, material.density, dimension);
+    return material.density * speed * speed;
+  };
+  const double shear = shear_modulus(modulus(Dimension::bar), modulus(Dimension::plane_strain));
+  surface.normal_impedance = std::sqrt(material.density * modulus(model_.dimension));
+  surface.shear_impedance = std::sqrt(material.density * shear);
+  return surface;
+}
+
+int Validator::surface_normal(const std::string& path, const Surface& surface) {
+  const Edge* edge = std::get_if<Edge>(&surface.part);
+  if (edge) return *edge == Edge::unspecified ? 0 : normal_axis(*edge);
+  if (std::holds_alternative<Disc>(surface.part))
+    violations_.add(path + ".rim", "", "this condition needs a straight edge", "give an edge");
+  return 0;
+}
+
+}  // namespace trajan

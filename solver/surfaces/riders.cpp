@@ -1,0 +1,180 @@
+#include "solver/surfaces/riders.h"
+
+#include <algorithm>
+
+#include "solver/schemes/schemes.h"
+#include "solver/simulation/particles.h"
+
+namespace trajan {
+
+std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Model& model,
+                             const std::vector<std::int64_t>& numbers) {
+  std::vector<std::size_t> order(numbers.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+  std::vector<Slot> slots(numbers.size());
+  auto wanted = order.begin();
+  for (std::uint32_t b = 0; b < bodies.size() && wanted != order.end(); ++b) {
+    const std::int64_t first = model.bodies[b].first_particle, n = model.bodies[b].particles;
+    if (numbers[*wanted] >= first + n) continue;
+    std::vector<std::uint32_t> slot_of(static_cast<std::size_t>(n));
+    for (std::uint32_t slot = 0; slot < n; ++slot) slot_of[bodies[b].number[slot]] = slot;
+    for (; wanted != order.end() && numbers[*wanted] < first + n; ++wanted)
+      slots[*wanted] = {b, slot_of[static_cast<std::size_t>(numbers[*wanted] - first)]};
+  }
+  return slots;
+}
+
+Riders::Riders(const Model& model, std::vector<SurfacePoint> points, bool follow)
+    : model_(model),
+      axes_(grid_axes(model.dimension)),
+      total_lagrangian_(find_scheme(model.numerics.scheme)->total_lagrangian),
+      follow_(follow),
+      points_(std::move(points)),
+      stride_(follow ? 12 : 3) {
+  for (const SurfacePoint& point : points_) {
+    const Vector& at = point.position;
+    state_.insert(state_.end(), {at.x, at.y, at.z});
+    if (!follow) continue;
+    state_.insert(state_.end(), {at.x, at.y, at.z});
+    for (const Vector& t : point.tangents) state_.insert(state_.end(), {t.x, t.y, t.z});
+  }
+}
+
+void Riders::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
+  std::vector<std::int64_t> numbers;
+  for (const SurfacePoint& point : points_) numbers.push_back(point.carrier);
+  carriers_ = find_slots(bodies, model_, numbers);
+  tiles_.assign(carriers_.size(), 0);
+  if (carriers_.empty()) return;
+  // Blocks by body and first particle, to find a slot's tile.
+  struct Start {
+    std::uint32_t body, begin, tile;
+  };
+  std::vector<Start> starts;
+  for (std::uint32_t t = 0; t < tiles.tiles().size(); ++t)
+    for (std::uint32_t b = tiles.tiles()[t].first_block; b < tiles.tiles()[t].last_block; ++b)
+      starts.push_back({tiles.blocks()[b].body, tiles.blocks()[b].begin, t});
+  const auto before = [](const Start& a, const Start& b) {
+    return a.body != b.body ? a.body < b.body : a.begin < b.begin;
+  };
+  std::sort(starts.begin(), starts.end(), before);
+  for (std::size_t p = 0; p < carriers_.size(); ++p) {
+    const auto after =
+        std::upper_bound(starts.begin(), starts.end(), Start{carriers_[p].body, carriers_[p].index, 0}, before);
+    tiles_[p] = (after - 1)->tile;
+  }
+}
+
+std::array<double, 8> Riders::weights(const double (&place)[3]) const {
+  std::array<double, 8> weights;
+  for (unsigned n = 0; n < weights.size(); ++n) {
+    weights[n] = n >> axes_ ? 0.0 : 1.0;
+    for (int axis = 0; axis < axes_; ++axis) weights[n] *= n >> axis & 1u ? place[axis] : 1 - place[axis];
+  }
+  return weights;
+}
+
+std::array<double, 8> Riders::slopes(const double (&place)[3], int along) const {
+  std::array<double, 8> slopes;
+  for (unsigned n = 0; n < slopes.size(); ++n) {
+    slopes[n] = n >> axes_ ? 0.0 : (n >> along & 1u ? 1.0 : -1.0) / model_.grid.cell;
+    for (int axis = 0; axis < axes_; ++axis)
+      if (axis != along) slopes[n] *= n >> axis & 1u ? place[axis] : 1 - place[axis];
+  }
+  return slopes;
+}
+
+int Riders::corner(const Layout& layout, int n) const {
+  int at = 0;
+  for (int axis = 0; axis < axes_; ++axis) at += (n >> axis & 1) * layout.window_stride(axis);
+  return at;
+}
+
+Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
+                                std::size_t p) const {
+  const Tile& tile = tiles.tiles()[tiles_[p]];
+  const Layout& layout = tiles.layout();
+  const BodyParticles& body = bodies[carriers_[p].body];
+  Stencil stencil{tiles_[p], layout.corner_offset()};
+  for (int axis = 0; axis < axes_; ++axis) {
+    const double origin = component(model_.grid.origin, axis);
+    const double first = layout.side * static_cast<double>(tile.at[axis]) - 1;
+    const double at = body.component(Attribute::position_x, axis)[carriers_[p].index];
+    const double c = (at - origin) / model_.grid.cell - first;
+    const int cell = static_cast<int>(c);
+    stencil.of_carrier[axis] = c - cell;
+    stencil.of_point[axis] =
+        (state_[stride_ * p + static_cast<std::size_t>(axis)] - origin) / model_.grid.cell - first - cell;
+    stencil.node += cell * layout.window_stride(axis);
+  }
+  return stencil;
+}
+
+Riders::Owner Riders::owner(const Tiles& tiles, std::uint32_t tile, int window_node) const {
+  const Layout& layout = tiles.layout();
+  int neighbour = 0, node = 0, power = 1;
+  for (int axis = 0; axis < axes_; ++axis, power *= 3) {
+    const int i = window_node / layout.window_stride(axis) % layout.window_side - layout.below;
+    neighbour += (i + layout.side) / layout.side * power;
+    node += (i & (layout.side - 1)) * layout.tile_stride(axis);
+  }
+  return {static_cast<std::uint32_t>(tiles.tiles()[tile].around[neighbour]), node};
+}
+
+Vector Riders::area(std::size_t p) const {
+  const SurfacePoint& point = points_[p];
+  if (axes_ == 1) return {point.tangents[0].y > 0 ? point.area : -point.area, 0, 0};
+  const double* state = &state_[stride_ * p];
+  const double *s = state + 6, *t = state + 9;
+  const bool hoop = model_.dimension == Dimension::axisymmetric;
+  const double scale = hoop ? state[3] : axes_ == 2 ? model_.thickness : 1.0;
+  return {scale * (s[1] * t[2] - s[2] * t[1]), scale * (s[2] * t[0] - s[0] * t[2]),
+          scale * (s[0] * t[1] - s[1] * t[0])};
+}
+
+void Riders::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) {
+  if (total_lagrangian_ && !follow_) return;
+  for (std::size_t p = 0; p < points_.size(); ++p) advect(tiles, stencil(tiles, bodies, p), p, drift);
+}
+
+void Riders::advect(const Tiles& tiles, const Stencil& s, std::size_t p, double drift) {
+  const std::array<double, 8> of_carrier = weights(s.of_carrier), of_point = weights(s.of_point);
+  std::array<double, 8> slope[3];
+  for (int axis = 0; follow_ && axis < axes_; ++axis) slope[axis] = slopes(s.of_point, axis);
+  double velocity[3] = {}, gradient[3][3] = {};
+  for (int n = 0; n < corners(); ++n) {
+    const Owner at = owner(tiles, s.tile, s.node + corner(tiles.layout(), n));
+    const double* nodes = tiles.nodes(at.tile) + at.node;
+    for (int axis = 0; axis < axes_; ++axis) {
+      const double mapped = nodes[quantity(node_mapped_velocity, axis, axes_) * tile_nodes];
+      velocity[axis] += of_carrier[n] * nodes[quantity(node_velocity, axis, axes_) * tile_nodes] +
+                        (of_point[n] - of_carrier[n]) * mapped;
+      for (int along = 0; follow_ && along < axes_; ++along) gradient[axis][along] += slope[along][n] * mapped;
+    }
+  }
+  double* state = &state_[stride_ * p];
+  for (int axis = 0; axis < axes_; ++axis) {
+    if (!total_lagrangian_) state[axis] += drift * velocity[axis];
+    if (follow_) state[3 + axis] += drift * velocity[axis];
+  }
+  if (follow_) turn(gradient, p, drift);
+}
+
+/// Tangents are material: dT/dt = Grad v T_0 with the gradient in the reference configuration, or grad v T, which
+/// is taken to second order, so that they keep their lengths as the body turns.
+void Riders::turn(const double (&gradient)[3][3], std::size_t p, double drift) {
+  for (int which = 0; which < 2; ++which) {
+    double* t = tangent(p, which);
+    const Vector& rest = points_[p].tangents[static_cast<std::size_t>(which)];
+    double change[3] = {}, again[3] = {};
+    for (int i = 0; i < axes_; ++i)
+      for (int j = 0; j < axes_; ++j)
+        change[i] += drift * gradient[i][j] * (total_lagrangian_ ? component(rest, j) : t[j]);
+    for (int i = 0; i < axes_ && !total_lagrangian_; ++i)
+      for (int j = 0; j < axes_; ++j) again[i] += drift * gradient[i][j] * change[j];
+    for (int i = 0; i < axes_; ++i) t[i] += change[i] + 0.5 * again[i];
+  }
+}
+
+}  // namespace trajan

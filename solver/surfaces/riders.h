@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/executors/tiles.h"
+#include "solver/model/model.h"
+
+namespace trajan {
+
+struct BodyParticles;
+
+/// A particle's place in memory.
+struct Slot {
+  std::uint32_t body = 0;
+  std::uint32_t index = 0;
+};
+
+/// Finds where particles are now. `numbers` are of all bodies, in any order.
+std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Model& model,
+                             const std::vector<std::int64_t>& numbers);
+
+/// A component of a vector by its axis.
+inline double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+/// Surface points that ride on carrier particles. What they do to the grid goes to the nodes of the carrier's
+/// cell with the multilinear polynomials of that cell, evaluated at the point, so that resultant and moment
+/// are exact wherever the point is, and only nodes with mass are touched.
+class Riders {
+ public:
+  /// With `follow` the points' tangents are carried along too.
+  Riders(const Model& model, std::vector<SurfacePoint> points, bool follow);
+
+  /// Stencils stay with the reference positions.
+  bool total_lagrangian() const { return total_lagrangian_; }
+  std::size_t size() const { return points_.size(); }
+  const SurfacePoint& point(std::size_t p) const { return points_[p]; }
+  /// Finds the carriers after particles have been sorted.
+  void bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles);
+  /// Moves the points as their carriers move, and around them as the velocities for gradients say; to be
+  /// called before the particles move. A node that few particles just reach is fast without bound after the
+  /// step's forces: the carrier hardly feels it, but a polynomial that is continued to the point would.
+  void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
+  /// Puts a coordinate of a point where it belongs (the reference position in a total Lagrangian scheme).
+  void place(std::size_t p, int axis, double coordinate) {
+    state_[stride_ * p + static_cast<std::size_t>(axis)] = coordinate;
+  }
+  /// Outward normal times area, now, thickness included; axisymmetric: times the radius.
+  Vector area(std::size_t p) const;
+
+  /// The carrier's cell by its first node in its tile's window, and the place in it.
+  struct Stencil {
+    std::uint32_t tile;
+    int node;
+    double of_carrier[3] = {}, of_point[3] = {};
+  };
+  Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p) const;
+  /// Multilinear polynomials of a cell's nodes at a place in it, in the order of their indices.
+  std::array<double, 8> weights(const double (&place)[3]) const;
+  /// The cell's node of this index, from its first one, in a window.
+  int corner(const Layout& layout, int n) const;
+  /// Who owns a node of a tile's window: tile and node.
+  struct Owner {
+    std::uint32_t tile;
+    int node;
+  };
+  Owner owner(const Tiles& tiles, std::uint32_t tile, int window_node) const;
+  int corners() const { return 1 << axes_; }
+
+  /// What changes, for checkpoints.
+  std::vector<double>& state() { return state_; }
+
+ private:
+  double* tangent(std::size_t p, int which) {
+    return &state_[stride_ * p + 6 + 3 * static_cast<std::size_t>(which)];
+  }
+  std::array<double, 8> slopes(const double (&place)[3], int axis) const;
+  void advect(const Tiles& tiles, const Stencil& stencil, std::size_t p, double drift);
+  void turn(const double (&gradient)[3][3], std::size_t p, double drift);
+
+  const Model& model_;
+  int axes_;  ///< of the grid
+  bool total_lagrangian_, follow_;
+  std::vector<SurfacePoint> points_;
+  /// By point: where stencils are evaluated; with `follow` also where it is now, and two tangents.
+  std::size_t stride_;
+  std::vector<double> state_;
+  std::vector<Slot> carriers_;
+  std::vector<std::uint32_t> tiles_;  ///< of the carriers
+};
+
+}  // namespace trajan
