@@ -39,9 +39,7 @@ std::optional<std::string> gallery_text(const std::string& name) {
                      suggest(source, names, "`trajan scenes` lists the gallery:"));
 }
 
-}  // namespace
-
-LoadedScene load_scene(const std::string& source) {
+LoadedScene read_scene(const std::string& source) {
   if (source == "-") return {"<standard input>", SceneText(read_all(std::cin), SceneFormat::text)};
   if (std::filesystem::exists(source)) {
     std::ifstream file(source, std::ios::binary);
@@ -53,6 +51,15 @@ LoadedScene load_scene(const std::string& source) {
   }
   if (const auto text = gallery_text(source)) return {source, SceneText(*text, SceneFormat::text)};
   no_such_scene(source);
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& source) {
+  LoadedScene scene = read_scene(source);
+  // Of standard input and of gallery scenes this is the current folder.
+  scene.text.read_mesh_files(std::filesystem::path(source).parent_path());
+  return scene;
 }
 
 void fail_for_mistakes(const LoadedScene& scene,

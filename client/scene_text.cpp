@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "client/mesh_files.h"
 #include "client/parse_problem.h"
 #include "client/utf8.h"
 
@@ -109,9 +110,33 @@ SceneText::SceneText(std::string source, SceneFormat format) {
   } else {
     read_text();
   }
+  sort_diagnostics();
+}
+
+/// Whether the token stands where the schema has bytes instead of text.
+bool SceneText::is_bytes(const SceneOutline::Token& token) const {
+  const int field = outline_->field_around(token.begin);
+  return field >= 0 && outline_->fields()[static_cast<std::size_t>(field)].name == "stl";
+}
+
+void SceneText::sort_diagnostics() {
   std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.position.line, a.position.column) < std::pair(b.position.line, b.position.column);
   });
+}
+
+void SceneText::read_mesh_files(const std::filesystem::path& folder) {
+  if (!has_structure_) return;
+  for (const MeshFileError& error : embed_mesh_files(scene_, folder, max_bytes)) {
+    v1::Violation violation;
+    violation.set_path(error.path);
+    violation.set_value(error.file);
+    violation.set_problem(error.problem);
+    violation.set_remedy("name an STL file; all of a scene's together may have 4 MiB");
+    diagnostics_.push_back(locate(violation));
+    suspects_.push_back(error.path.substr(0, error.path.rfind('.')));
+  }
+  sort_diagnostics();
 }
 
 bool SceneText::check_utf8() {
@@ -127,7 +152,7 @@ bool SceneText::check_utf8() {
     if (!token.string || token.text.find('\\') == std::string::npos) continue;
     std::string meant;
     google::protobuf::io::Tokenizer::ParseString(token.text, &meant);
-    if (first_invalid_utf8(meant) == std::string_view::npos) continue;
+    if (first_invalid_utf8(meant) == std::string_view::npos || is_bytes(token)) continue;
     add_diagnostic(token.begin, token.end - token.begin, "the escapes in this text make bytes that are not UTF-8",
                    "write the characters themselves, or \\u00e4 for the character U+00E4");
   }

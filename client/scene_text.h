@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -32,6 +33,10 @@ class SceneText {
   /// the rest is read on, so that all mistakes are found at once.
   SceneText(std::string source, SceneFormat format);
 
+  /// Puts the files that meshes name into the scene; relative names begin at `folder`. A file that cannot be
+  /// read is a mistake.
+  void read_mesh_files(const std::filesystem::path& folder);
+
   /// Complete only if there are no diagnostics; otherwise without the fields that could not be read.
   const v1::Scene& scene() const { return scene_; }
   /// Mistakes of spelling and form, in the order of the text.
@@ -51,6 +56,8 @@ class SceneText {
 
  private:
   bool check_utf8();
+  bool is_bytes(const SceneOutline::Token& token) const;
+  void sort_diagnostics();
   void read_text();
   void read_json();
   bool leave_out(std::size_t offset, const std::string& problem, std::string& text);

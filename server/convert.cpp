@@ -14,6 +14,8 @@ BodyDefinition to_body(const v1::Body& message) {
   body.geometry = to_region(message.geometry());
   if (message.has_particles_per_cell_side()) body.particles_per_cell_side = message.particles_per_cell_side();
   body.initial_velocity = to_vector_expression(message.initial_velocity());
+  body.initial_stress = to_symmetric_tensor_expression(message.initial_stress());
+  body.initial_deformation = to_tensor_expression(message.initial_deformation());
   return body;
 }
 
@@ -21,6 +23,8 @@ Numerics to_numerics(const v1::Numerics& message) {
   Numerics numerics;
   if (!message.scheme().empty()) numerics.scheme = message.scheme();
   if (!message.shape_functions().empty()) numerics.shape_functions = message.shape_functions();
+  if (!message.transfer().empty()) numerics.transfer = message.transfer();
+  if (message.has_transfer_order()) numerics.transfer_order = message.transfer_order();
   if (message.has_flip_fraction()) numerics.flip_fraction = message.flip_fraction();
   if (message.has_time_step_fraction()) numerics.time_step_fraction = message.time_step_fraction();
   if (message.has_time_step()) numerics.time_step = message.time_step();

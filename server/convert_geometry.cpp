@@ -20,6 +20,12 @@ Dimension to_dimension(v1::Domain::Dimension value) {
   }
 }
 
+Part to_part(const v1::Region& message) { return {to_region(message)}; }
+
+std::optional<std::string> given(bool is_given, const std::string& text) {
+  return is_given ? std::optional(text) : std::nullopt;
+}
+
 }  // namespace
 
 Vector to_vector(const v1::Vector& message) { return {message.x(), message.y(), message.z()}; }
@@ -32,12 +38,38 @@ VectorExpression to_vector_expression(const v1::VectorExpression& message) {
   return expression;
 }
 
+SymmetricTensorExpression to_symmetric_tensor_expression(const v1::SymmetricTensorExpression& m) {
+  return {{given(m.has_xx(), m.xx()), given(m.has_yy(), m.yy()), given(m.has_zz(), m.zz()),
+           given(m.has_xy(), m.xy()), given(m.has_yz(), m.yz()), given(m.has_xz(), m.xz())}};
+}
+
+TensorExpression to_tensor_expression(const v1::TensorExpression& m) {
+  return {{given(m.has_xx(), m.xx()), given(m.has_xy(), m.xy()), given(m.has_xz(), m.xz()),
+           given(m.has_yx(), m.yx()), given(m.has_yy(), m.yy()), given(m.has_yz(), m.yz()),
+           given(m.has_zx(), m.zx()), given(m.has_zy(), m.zy()), given(m.has_zz(), m.zz())}};
+}
+
 Region to_region(const v1::Region& message) {
   switch (message.shape_case()) {
     case v1::Region::kBox:
       return Box{to_vector(message.box().lower()), to_vector(message.box().upper())};
     case v1::Region::kDisc:
       return Disc{to_vector(message.disc().centre()), message.disc().radius()};
+    case v1::Region::kSphere:
+      return Sphere{to_vector(message.sphere().centre()), message.sphere().radius()};
+    case v1::Region::kCylinder:
+      return Cylinder{to_vector(message.cylinder().from()), to_vector(message.cylinder().to()),
+                      message.cylinder().radius()};
+    case v1::Region::kPolygon:
+      return Polygon{convert_all(message.polygon().corners(), to_vector)};
+    case v1::Region::kMesh:
+      return Mesh{message.mesh().stl()};
+    case v1::Region::kUnion:
+      return Union{convert_all(message.union_().regions(), to_part)};
+    case v1::Region::kIntersection:
+      return Intersection{convert_all(message.intersection().regions(), to_part)};
+    case v1::Region::kDifference:
+      return Difference{convert_all(message.difference().regions(), to_part)};
     case v1::Region::SHAPE_NOT_SET:
       break;
   }

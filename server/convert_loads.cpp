@@ -37,7 +37,10 @@ Pressure to_pressure(const v1::Pressure& message) {
 }
 
 BodyForce to_body_force(const v1::BodyForce& message) {
-  return {to_vector(message.acceleration()), {message.bodies().begin(), message.bodies().end()}};
+  return {to_vector(message.acceleration()),
+          {message.bodies().begin(), message.bodies().end()},
+          to_vector_expression(message.field()),
+          message.configuration() == v1::BodyForce::REFERENCE};
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace trajan {
 
 Vector to_vector(const v1::Vector& message);
 VectorExpression to_vector_expression(const v1::VectorExpression& message);
+SymmetricTensorExpression to_symmetric_tensor_expression(const v1::SymmetricTensorExpression& message);
+TensorExpression to_tensor_expression(const v1::TensorExpression& message);
 Region to_region(const v1::Region& message);
 Edge to_edge(int value);
 Surface to_surface(const v1::Surface& message);

@@ -5,7 +5,7 @@
 namespace trajan {
 
 Loads::Loads(const Model& model)
-    : model_(model), axes_(grid_axes(model.dimension)), factors_(model.surface_loads.size()) {
+    : model_(model), axes_(grid_axes(model.dimension)), fields_(model), factors_(model.surface_loads.size()) {
   for (const SurfaceLoad& load : model.surface_loads) {
     std::vector<SurfacePoint> points(load.points.begin(), load.points.end());
     riders_.emplace_back(model, std::move(points), load.follows);
@@ -19,6 +19,7 @@ void Loads::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
 void Loads::prepare(std::vector<BodyParticles>& bodies, double time) {
   for (std::size_t i = 0; i < factors_.size(); ++i) factors_[i] = model_.surface_loads[i].time(time);
   if (model_.body_loads.empty()) return;
+  fields_.evaluate(bodies, time);
   for (BodyParticles& body : bodies)
     for (double& a : body.constants.acceleration) a = 0;
   for (const BodyLoad& load : model_.body_loads) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/loads/body_fields.h"
 #include "solver/surfaces/riders.h"
 
 namespace trajan {
@@ -9,6 +10,9 @@ class Loads {
  public:
   explicit Loads(const Model& model);
   bool none() const { return model_.surface_loads.empty() && model_.body_loads.empty(); }
+
+  /// Whether loads depend on where particles are.
+  bool follow_particles() const { return fields_.follow_particles(); }
 
   /// Finds the carriers after particles have been sorted.
   void bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles);
@@ -24,8 +28,9 @@ class Loads {
 
  private:
   const Model& model_;
-  int axes_;                     ///< of the grid
-  std::vector<Riders> riders_;   ///< by surface load
+  int axes_;                    ///< of the grid
+  std::vector<Riders> riders_;  ///< by surface load
+  BodyFields fields_;
   std::vector<double> factors_;  ///< by surface load
 };
 

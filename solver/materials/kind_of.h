@@ -35,7 +35,8 @@ double wave_speed_at_rest(std::span<const double> values, double density, Dimens
 /// The law's row in the registry.
 template <AnyLaw Law>
 MaterialKind kind_of() {
-  MaterialKind kind{Law::name, Law::source, Law::parameters, {}, &wave_speed_at_rest<Law>, {}, {}, {}};
+  MaterialKind kind{Law::name, Law::source, Law::rate_form, Law::parameters, {}, &wave_speed_at_rest<Law>, {},
+                    {},        {}};
   if constexpr (requires { Law::history; }) kind.history = Law::history;
   if constexpr (requires(const Law& law) { law.diffusivity(); })
     kind.diffusivity = [](std::span<const double> values, double density) {

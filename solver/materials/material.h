@@ -51,6 +51,7 @@ struct Objection {
 struct MaterialKind {
   std::string_view name;  ///< as in materials.proto, for example "linear_elastic"
   std::string_view source;
+  bool rate_form;  ///< the state is a stress; otherwise a deformation gradient
   std::span<const Parameter> parameters;
   std::span<const HistoryVariable> history;  ///< what particles of the material remember
   /// Speed of the fastest wave at rest (consistent units) for a mass density at rest.

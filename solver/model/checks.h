@@ -18,8 +18,10 @@ class Checks {
  public:
   static constexpr std::size_t most_entries = 1000;  ///< of every list with names
   static constexpr double most_particles = 1e9;
-  static constexpr double most_cells = 1 << 30;  ///< along an axis
-  static constexpr double most_selected = 1e7;   ///< particles that all mean probes list together
+  static constexpr double most_counting = 1e8;        ///< numbers looked at to count particles
+  static constexpr std::size_t most_shapes = 10'000;  ///< in set operations
+  static constexpr double most_cells = 1 << 30;       ///< along an axis
+  static constexpr double most_selected = 1e7;        ///< particles that all mean probes list together
   static constexpr std::size_t most_formula_characters = 200'000;  ///< of all formulas together
   static constexpr double most_load_points = 1e6;
   static constexpr double most_history_values = 1e9;
@@ -45,7 +47,12 @@ class Checks {
   bool check_list(const std::string& path, const Entries& entries);
   void check_names(const std::string& path, const std::vector<std::string>& names);
   /// A given and finite region, of some extent if `solid`.
-  bool check_region(const std::string& path, const Region& region, bool solid);
+  bool check_region(const std::string& path, const Region& region, bool solid, int depth = 0);
+  template <class Shape>
+  bool check_shape(const std::string& path, const Shape& shape, bool solid, int depth);
+  bool check_parts(const std::string& path, const std::vector<Part>& parts, std::size_t fewest, bool solid,
+                   int depth);
+  bool fits_dimension(const std::string& path, bool fits);
   /// The formula, if it is right and finite at (at, t).
   std::optional<Expression> formula(const std::string& path, const std::string& text, const std::string& variables,
                                     Vector at = {}, double t = 0);
@@ -81,6 +88,8 @@ class Checks {
   std::map<std::string, std::size_t, std::less<>> body_index_;
   std::size_t formula_characters_ = 0;
   double load_points_ = 0;
+  double counting_ = 0;
+  std::size_t shapes_ = 0;
   double selected_ = 0;
 };
 

@@ -2,16 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "solver/model/geometry.h"
 
 namespace trajan {
 
 namespace {
 
-/// Points this close to a rim, in spacings, belong to the disc: more than rounding moves them.
+/// Points this close to a boundary, in spacings, belong to the geometry: more than rounding moves them.
 constexpr double rim = 1e-9;
 
+/// So many rows have their first number kept, to find a number without counting all rows before it.
+constexpr std::int64_t most_starts = 4096;
+
 double points_along(double length, double spacing) { return std::max(1.0, std::round(length / spacing)); }
+
+/// Indices of the first and the last point between two coordinates.
+struct Indices {
+  double first, last;
+  double count() const { return std::max(0.0, last - first + 1); }
+};
+
+Indices indices(double lower, double upper, double origin, double spacing) {
+  return {std::ceil((lower - origin) / spacing - 0.5 - rim), std::floor((upper - origin) / spacing - 0.5 + rim)};
+}
 
 Lattice fill(const Box& box, double spacing, int axes) {
   Lattice lattice;
@@ -27,75 +41,87 @@ Lattice fill(const Box& box, double spacing, int axes) {
   return lattice;
 }
 
-Lattice fill(const Disc& disc, Vector origin, double spacing) {
-  const double radius = disc.radius + rim * spacing;
-  const auto first = [&](double centre, double from) {
-    return std::ceil((centre - radius - from) / spacing - 0.5);
-  };
-  const auto last = [&](double centre, double from) {
-    return std::floor((centre + radius - from) / spacing - 0.5);
-  };
-  const double i0 = first(disc.centre.x, origin.x), i1 = last(disc.centre.x, origin.x);
-  const double j0 = first(disc.centre.y, origin.y), j1 = last(disc.centre.y, origin.y);
+Lattice fill(const Region& region, Vector origin, double spacing, int axes) {
   Lattice lattice;
-  lattice.columns = static_cast<std::int64_t>(std::max(0.0, i1 - i0 + 1));
-  lattice.rows = static_cast<std::int64_t>(std::max(0.0, j1 - j0 + 1));
-  lattice.spacing = {spacing, spacing};
-  lattice.first = {origin.x + (i0 + 0.5) * spacing, origin.y + (j0 + 0.5) * spacing};
-  lattice.geometry = disc;
+  lattice.geometry = region;
+  const Box box = bounds(region);
+  const auto along = [spacing](double lower, double upper, double from, std::int64_t& points, double& step,
+                               double& first) {
+    const Indices found = indices(lower, upper, from, spacing);
+    points = static_cast<std::int64_t>(found.count());
+    step = spacing;
+    first = from + (found.first + 0.5) * spacing;
+  };
+  along(box.lower.x, box.upper.x, origin.x, lattice.columns, lattice.spacing.x, lattice.first.x);
+  if (axes > 1) along(box.lower.y, box.upper.y, origin.y, lattice.rows, lattice.spacing.y, lattice.first.y);
+  if (axes > 2) along(box.lower.z, box.upper.z, origin.z, lattice.planes, lattice.spacing.z, lattice.first.z);
   return lattice;
 }
 
 }  // namespace
 
-Lattice::Range Lattice::columns_in_row(std::int64_t row) const {
-  const Disc* disc = std::get_if<Disc>(&geometry);
-  if (disc == nullptr) return {0, columns};
-  const double radius = disc->radius + rim * spacing.x;
-  const double dy = first.y + static_cast<double>(row) * spacing.y - disc->centre.y;
-  const double square = radius * radius - dy * dy;
-  if (square < 0) return {0, 0};
-  const double half = std::sqrt(square);
-  const double from = std::ceil((disc->centre.x - half - first.x) / spacing.x);
-  const double to = std::floor((disc->centre.x + half - first.x) / spacing.x) + 1;
-  const std::int64_t begin = std::clamp<std::int64_t>(static_cast<std::int64_t>(from), 0, columns);
-  return {begin, std::clamp<std::int64_t>(static_cast<std::int64_t>(to), begin, columns)};
+Lattice::Ranges Lattice::columns_in_row(std::int64_t row) const {
+  if (full()) return {{0, columns}};
+  const Vector start = point(0, row);
+  const double most = static_cast<double>(columns);
+  Ranges ranges;
+  for (const Span& span : spans(geometry, start.y, start.z, rim * spacing.x)) {
+    const double from = std::ceil((span.from - start.x) / spacing.x);
+    const double to = std::floor((span.to - start.x) / spacing.x) + 1;
+    const double taken = ranges.empty() ? 0 : static_cast<double>(ranges.back().end);
+    const double begin = std::clamp(from, taken, most), end = std::clamp(to, begin, most);
+    if (begin < end) ranges.push_back({static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end)});
+  }
+  return ranges;
 }
 
-std::int64_t Lattice::count() const {
-  if (!std::holds_alternative<Disc>(geometry)) return columns * row_count();
-  std::int64_t points = 0;
-  for (std::int64_t row = 0; row < row_count(); ++row) {
-    const Range range = columns_in_row(row);
-    points += range.end - range.begin;
+void Lattice::number_points() {
+  if (full()) {
+    count_ = columns * row_count();
+    return;
   }
-  return points;
+  count_ = 0;
+  stride_ = row_count() / most_starts + 1;
+  starts_.clear();
+  for (std::int64_t row = 0; row < row_count(); ++row) {
+    if (row % stride_ == 0) starts_.push_back(count_);
+    for (const Range& range : columns_in_row(row)) count_ += range.end - range.begin;
+  }
 }
 
 Vector Lattice::point_of(std::int64_t number) const {
-  std::int64_t row = 0;
-  Range range = columns_in_row(row);
-  for (; number >= range.end - range.begin; range = columns_in_row(++row)) number -= range.end - range.begin;
-  return point(range.begin + number, row);
+  if (full()) return point(number % columns, number / columns);
+  // The last start that is not after the number; rows without points share their start with the next.
+  const auto after = std::ranges::upper_bound(starts_, number);
+  const std::int64_t known = std::distance(starts_.begin(), after) - 1;
+  std::int64_t before = starts_[static_cast<std::size_t>(known)];
+  for (std::int64_t row = known * stride_;; ++row) {
+    for (const Range& range : columns_in_row(row)) {
+      const std::int64_t points = range.end - range.begin;
+      if (number - before < points) return point(range.begin + number - before, row);
+      before += points;
+    }
+  }
 }
 
 Lattice make_lattice(const Region& geometry, Vector grid_origin, double cell, int particles_per_cell_side,
                      int axes) {
   const double spacing = cell / particles_per_cell_side;
   if (const Box* box = std::get_if<Box>(&geometry)) return fill(*box, spacing, axes);
-  return fill(std::get<Disc>(geometry), grid_origin, spacing);
+  return fill(geometry, grid_origin, spacing, axes);
 }
 
-double estimated_points(const Region& geometry, double cell, int particles_per_cell_side, int axes) {
+LatticeSize lattice_size(const Region& geometry, double cell, int particles_per_cell_side, int axes) {
   const double spacing = cell / particles_per_cell_side;
-  if (const Box* box = std::get_if<Box>(&geometry)) {
-    double points = points_along(box->upper.x - box->lower.x, spacing);
-    if (axes > 1) points *= points_along(box->upper.y - box->lower.y, spacing);
-    if (axes > 2) points *= points_along(box->upper.z - box->lower.z, spacing);
-    return points;
-  }
-  const double radius = std::get<Disc>(geometry).radius / spacing;
-  return std::numbers::pi * radius * radius;
+  const Box box = bounds(geometry);
+  const bool full = std::holds_alternative<Box>(geometry);
+  const auto along = [&](double lower, double upper) {
+    return full ? points_along(upper - lower, spacing) : std::max(0.0, (upper - lower) / spacing + 1);
+  };
+  double rows = 1;
+  if (axes > 1) rows *= along(box.lower.y, box.upper.y);
+  if (axes > 2) rows *= along(box.lower.z, box.upper.z);
+  return {rows * along(box.lower.x, box.upper.x), full ? 1 : rows * work_of_a_line(geometry)};
 }
 
 }  // namespace trajan

@@ -1,15 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "solver/scene/scene.h"
 
 namespace trajan {
 
 /// The reference positions of a body's particles: the points first + (i, j, k) * spacing, 0 <= i < columns,
-/// 0 <= j < rows, 0 <= k < planes, that lie in the geometry. A box holds all of them. Counting and numbering
-/// go row by row and plane by plane and need no memory. Rows are counted over all planes: row j of plane k is
-/// number k * rows + j. Along an axis that the dimension does not have there is one point, at 0.
+/// 0 <= j < rows, 0 <= k < planes, that lie in the geometry. A box holds all of them. Numbering goes row by
+/// row and plane by plane. Rows are counted over all planes: row j of plane k is number k * rows + j. Along an
+/// axis that the dimension does not have there is one point, at 0.
 class Lattice {
  public:
   Vector first;
@@ -19,45 +20,76 @@ class Lattice {
   std::int64_t planes = 1;
   Region geometry;
 
-  std::int64_t row_count() const { return rows * planes; }
-
-  /// Half-open range of columns that lie in the geometry in this row.
+  /// Half-open range of columns.
   struct Range {
     std::int64_t begin = 0;
     std::int64_t end = 0;
   };
-  Range columns_in_row(std::int64_t row) const;
+  using Ranges = std::vector<Range>;
+  /// The columns of a row that lie in the geometry, in order and apart from each other.
+  Ranges columns_in_row(std::int64_t row) const;
+  std::int64_t row_count() const { return rows * planes; }
   Vector point(std::int64_t column, std::int64_t row) const {
     return {first.x + static_cast<double>(column) * spacing.x,
             first.y + static_cast<double>(row % rows) * spacing.y,
             first.z + static_cast<double>(row / rows) * spacing.z};
   }
+  /// Number of points.
+  std::int64_t count() const { return count_; }
   /// Calls visit(number from 0 on, point) for all points in order.
   template <class Visit>
   void for_each_point(Visit&& visit) const;
+  /// Calls visit(row, range of columns, number of the first of them) for begin <= row < end.
+  template <class Visit>
+  void for_each_range(std::int64_t begin, std::int64_t end, Visit&& visit) const;
   /// The point of this number.
   Vector point_of(std::int64_t number) const;
-  /// Number of points. A box takes no time, a disc time with its rows.
-  std::int64_t count() const;
+
+  /// Counts the points; takes time with `counting_work`.
+  void number_points();
+
+ private:
+  bool full() const { return std::holds_alternative<Box>(geometry); }
+
+  std::int64_t count_ = 0;
+  std::int64_t stride_ = 1;           ///< rows
+  std::vector<std::int64_t> starts_;  ///< number of the first point of every stride_-th row; empty: all lie in it
 };
 
-/// A box is filled with a lattice that fits its sides exactly (the nearest whole number of particles to
-/// the asked spacing), a disc with the sub-cell lattice of the grid. Precondition: the geometry is given,
-/// and estimated_points is below 2^60.
+/// Where the lattice of a geometry is: a box is filled with one that fits its sides exactly (the nearest whole
+/// number of particles to the asked spacing), any other region with the sub-cell lattice of the grid. Its points
+/// are still to be numbered. Precondition: the geometry is right, and lattice_size is below 2^60.
 Lattice make_lattice(const Region& geometry, Vector grid_origin, double cell, int particles_per_cell_side,
                      int axes);
 
-/// About the number of points that make_lattice would give, from arithmetic alone; infinite or not a
-/// number for geometries that are not finite.
-double estimated_points(const Region& geometry, double cell, int particles_per_cell_side, int axes);
+/// How large a lattice would be, from arithmetic alone; infinite or not a number for extreme geometries.
+struct LatticeSize {
+  double points = 0;  ///< in the geometry if it is a box, otherwise in the box around it
+  double work = 0;    ///< of counting the points: numbers to be looked at
+};
+LatticeSize lattice_size(const Region& geometry, double cell, int particles_per_cell_side, int axes);
+
+template <class Visit>
+void Lattice::for_each_range(std::int64_t begin, std::int64_t end, Visit&& visit) const {
+  if (full()) {
+    for (std::int64_t row = begin; row < end; ++row) visit(row, Range{0, columns}, row * columns);
+    return;
+  }
+  const std::int64_t known = begin / stride_;
+  std::int64_t number = begin < end ? starts_[static_cast<std::size_t>(known)] : 0;
+  for (std::int64_t row = known * stride_; row < end; ++row) {
+    for (const Range& range : columns_in_row(row)) {
+      if (row >= begin) visit(row, range, number);
+      number += range.end - range.begin;
+    }
+  }
+}
 
 template <class Visit>
 void Lattice::for_each_point(Visit&& visit) const {
-  std::int64_t number = 0;
-  for (std::int64_t row = 0; row < row_count(); ++row) {
-    const Range range = columns_in_row(row);
+  for_each_range(0, row_count(), [&](std::int64_t row, Range range, std::int64_t number) {
     for (std::int64_t column = range.begin; column < range.end; ++column) visit(number++, point(column, row));
-  }
+  });
 }
 
 }  // namespace trajan

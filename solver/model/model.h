@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -46,10 +47,13 @@ struct Body {
   std::int64_t particles = 0;
   /// Reference volume of each particle, thickness or cross-section included; in an axisymmetric scene the
   /// area, to be multiplied by the particle's radius.
+  /// With an initial deformation it is that of the stress-free state.
   double particle_volume = 0;
   std::optional<Expression> velocity_x;  ///< of the position; empty: 0
   std::optional<Expression> velocity_y;
   std::optional<Expression> velocity_z;
+  std::array<std::optional<Expression>, 6> stress;       ///< Cauchy, of the position: xx, yy, zz, xy, yz, xz
+  std::array<std::optional<Expression>, 9> deformation;  ///< gradient, of the position, row by row
 };
 
 /// A force on a point of a body's surface.
@@ -66,10 +70,12 @@ struct SurfaceLoad {
   bool follows = false;  ///< pressure times normal and area as they are now, no dead force
 };
 
-/// An acceleration of whole bodies.
+/// An acceleration of whole bodies: uniform, and by formulas of the position and t.
 struct BodyLoad {
   std::string name;
   Vector acceleration;
+  std::array<std::optional<Expression>, 3> field;
+  bool reference = false;           ///< the field is evaluated at reference positions
   std::vector<std::size_t> bodies;  ///< indices; all of them: every body
   TimeFunction time;
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/model/geometry.h"
 #include "solver/model/model.h"
 
 /// Which particles of a body a place or a region means. Particles are meant by their numbers; nothing
@@ -28,8 +29,5 @@ double most_particles_in(const Body& body, const Region& region);
 
 /// Appends the numbers of the particles whose reference positions lie in the region, ascending.
 void particles_in(const Body& body, const Region& region, std::vector<std::int64_t>& particles);
-
-/// Distance of a place from a region, 0 inside.
-double distance_from(const Region& region, Vector place);
 
 }  // namespace trajan

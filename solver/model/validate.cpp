@@ -86,7 +86,7 @@ void Checks::check_names(const std::string& path, const std::vector<std::string>
 }
 
 void Checks::unknown_name(const std::string& path, const std::string& name, const std::string& what,
-                             const std::vector<std::string>& known) {
+                          const std::vector<std::string>& known) {
   const std::string problem =
       name.empty() ? "no " + what + " is named" : "there is no " + what + " " + quoted(name);
   if (known.empty()) {

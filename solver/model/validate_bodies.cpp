@@ -1,20 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/model/geometry.h"
 #include "solver/model/names.h"
-#include "solver/model/selection.h"
 #include "solver/model/validator.h"
 
 namespace trajan {
 
 namespace {
-
-Box bounds(const Region& region) {
-  if (const Box* box = std::get_if<Box>(&region)) return *box;
-  const Disc& disc = std::get<Disc>(region);
-  return {{disc.centre.x - disc.radius, disc.centre.y - disc.radius},
-          {disc.centre.x + disc.radius, disc.centre.y + disc.radius}};
-}
 
 Box grid_box(const Grid& grid) {
   return {grid.origin,
@@ -34,25 +27,6 @@ double particle_volume(const Lattice& lattice, int axes, double thickness) {
 
 std::string Validator::box_text(const Box& box) const {
   return point_text(box.lower, axes()) + " to " + point_text(box.upper, axes());
-}
-
-bool Checks::check_region(const std::string& path, const Region& region, bool solid) {
-  if (const Box* box = std::get_if<Box>(&region)) {
-    const bool lower = check_vector(path + ".box.lower", box->lower);
-    if (!check_vector(path + ".box.upper", box->upper) || !lower) return false;
-    if (is_above(box->lower, box->upper, solid)) return true;
-    return violations_.add(path + ".box.upper", point_text(box->upper, axes()),
-                           "not above lower, " + point_text(box->lower, axes()),
-                           std::string("give ") + (solid ? "larger" : "no smaller") +
-                               " coordinates than those of lower along every axis");
-  }
-  if (const Disc* disc = std::get_if<Disc>(&region)) {
-    const bool centre = check_vector(path + ".disc.centre", disc->centre);
-    const bool radius = violations_.positive(path + ".disc.radius", disc->radius);
-    if (axes() != 2) return violations_.add(path + ".disc", "", "discs are shapes of the plane", "give a box");
-    return centre && radius;
-  }
-  return violations_.add(path, "", "no shape is given", "give a box or a disc");
 }
 
 void Validator::check_bodies() {
@@ -80,11 +54,11 @@ bool Validator::check_body(const std::string& path, const BodyDefinition& defini
   const bool filled = side && geometry && grid_complete_ && fill_body(path, definition, body);
   Vector place;
   if (filled) {
-    const std::int64_t middle = body.lattice.row_count() / 2;
-    place = body.lattice.point(body.lattice.columns_in_row(middle).begin, middle);
+    place = body.lattice.point_of(body.particles / 2);
   }
   field(path + ".initial_velocity", definition.initial_velocity, place_variables(), place,
         {&body.velocity_x, &body.velocity_y, &body.velocity_z});
+  if (material != materials.end()) check_initial_state(path, definition, body, place);
   return filled;
 }
 
@@ -100,13 +74,18 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
     return violations_.add(path + ".geometry", box_text(outer), "the body reaches out of the domain",
                            "stay within " + box_text(domain) + " or enlarge the domain");
   }
-  const double points = estimated_points(geometry, grid.cell, definition.particles_per_cell_side, axes());
-  if (!(points + static_cast<double>(body.first_particle) <= most_particles)) {
-    return violations_.add(path, number_text(std::round(points)) + " particles", "there are too many particles",
-                           "give larger cells or fewer particles per cell: at most 10^9 particles in the scene");
-  }
+  const LatticeSize size = lattice_size(geometry, grid.cell, definition.particles_per_cell_side, axes());
+  counting_ += size.work;
+  const bool box = std::holds_alternative<Box>(geometry);
+  if (box ? !(size.points <= most_particles) : !(counting_ <= most_counting)) return too_many(path, size.points);
   body.lattice = make_lattice(geometry, grid.origin, grid.cell, definition.particles_per_cell_side, axes());
+  body.lattice.number_points();
   body.particles = body.lattice.count();
+  const double particles = static_cast<double>(body.particles);
+  if (particles + static_cast<double>(body.first_particle) > most_particles) {
+    body.particles = 0;
+    return too_many(path, particles);
+  }
   if (body.particles == 0) {
     return violations_.add(path + ".geometry", box_text(outer), "the body is so small that no particle lies in it",
                            "give a larger body, smaller cells or more particles per cell");
@@ -117,6 +96,12 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
                            "its size gives particles without a finite volume", "give units of less extreme size");
   }
   return true;
+}
+
+bool Validator::too_many(const std::string& path, double particles) {
+  return violations_.add(path, number_text(std::round(particles)) + " particles", "there are too many particles",
+                         "give larger cells, fewer particles per cell or fewer shapes: at most 10^9 particles in "
+                         "the scene");
 }
 
 std::optional<std::size_t> Checks::find_body(const std::string& path, const std::string& name) {
@@ -130,8 +115,6 @@ std::optional<std::size_t> Checks::find_body(const std::string& path, const std:
   return std::nullopt;
 }
 
-bool Checks::is_complete(std::size_t body) const {
-  return body < body_complete_.size() && body_complete_[body];
-}
+bool Checks::is_complete(std::size_t body) const { return body < body_complete_.size() && body_complete_[body]; }
 
 }  // namespace trajan

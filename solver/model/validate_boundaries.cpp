@@ -144,6 +144,10 @@ NodeRegion Validator::check_nodes(const std::string& path, const BoundaryDefinit
     return check_face(path + ".face", *face) && grid_complete_ ? nodes_on(model_.grid, *face) : NodeRegion{};
   const Region* given = std::get_if<Region>(&definition.nodes);
   if (!check_region(path + ".nodes", given ? *given : Region{}, false) || !grid_complete_) return {};
+  if (!std::holds_alternative<Box>(*given) && !std::holds_alternative<Disc>(*given)) {
+    violations_.add(path + ".nodes", "", "not a region that nodes are chosen by", "give a box or a disc");
+    return {};
+  }
   const NodeRegion nodes = nodes_in(model_.grid, *given, node_tolerance);
   if (is_empty(model_.grid, nodes))
     violations_.add(path + ".nodes", "", "the region catches no node of the grid",

@@ -15,6 +15,9 @@ struct Exclusion {
 
 bool is_total(const Model& model) { return is_total_lagrangian(model.numerics.scheme); }
 bool has_shapes(const Model& model, std::string_view name) { return model.numerics.shape_functions == name; }
+bool has_order(const Model& model) {
+  return model.numerics.transfer == "XPIC" || model.numerics.transfer == "FMPM";
+}
 bool is_odd(std::int64_t cells) { return cells % 2 == 1; }
 
 constexpr Exclusion exclusions[] = {
@@ -35,6 +38,11 @@ constexpr Exclusion exclusions[] = {
     {[](const Model& m) { return has_shapes(m, "cpdi") && m.dimension == Dimension::axisymmetric; },
      "numerics.shape_functions", "domains of \"cpdi\" could reach across the axis, where there is nothing",
      "choose \"gimp\", \"cpgimp\" or B-splines"},
+    {[](const Model& m) { return m.numerics.flip_fraction && m.numerics.transfer != "FLIP"; },
+     "numerics.flip_fraction", "only the transfer \"FLIP\" is a blend",
+     "leave it out, or choose numerics.transfer: \"FLIP\""},
+    {[](const Model& m) { return m.numerics.transfer_order && !has_order(m); }, "numerics.transfer_order",
+     "only the transfers \"XPIC\" and \"FMPM\" have an order", "leave it out, or choose one of them"},
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace trajan {
 
 std::optional<Expression> Checks::formula(const std::string& path, const std::string& text,
-                                             const std::string& variables, Vector at, double t) {
+                                          const std::string& variables, Vector at, double t) {
   formula_characters_ += std::min(text.size(), Expression::longest);
   if (formula_characters_ > most_formula_characters) {
     violations_.add(path, text, "the scene's formulas are too long",
@@ -30,7 +30,7 @@ std::optional<Expression> Checks::formula(const std::string& path, const std::st
 }
 
 std::optional<Expression> Checks::history_formula(const std::string& path, const std::string& text,
-                                                     const std::string& place, Vector at) {
+                                                  const std::string& place, Vector at) {
   auto expression = formula(path, text, place + "t", at);
   const double end = scene_.analysis.end_time;
   if (!expression || !std::isfinite(end)) return expression;
@@ -45,7 +45,7 @@ std::optional<Expression> Checks::history_formula(const std::string& path, const
 }
 
 VectorFormula Checks::motion_formulas(const std::string& path, const VectorExpression& formulas,
-                                         const std::string& place, Vector at) {
+                                      const std::string& place, Vector at) {
   const std::optional<std::string>* given[] = {&formulas.x, &formulas.y, &formulas.z};
   VectorFormula made;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -71,7 +71,7 @@ bool Checks::is_uniform(const std::string& text) const {
 }
 
 void Checks::field(const std::string& path, const VectorExpression& formulas, const std::string& variables,
-                      Vector at, std::array<std::optional<Expression>*, 3> components) {
+                   Vector at, std::array<std::optional<Expression>*, 3> components) {
   const std::optional<std::string>* given[] = {&formulas.x, &formulas.y, &formulas.z};
   for (int axis = 0; axis < 3; ++axis) {
     const auto& text = *given[axis];

@@ -63,8 +63,9 @@ void Validator::check_load(const std::string& path, const LoadDefinition& defini
     load.follows = pressure->follows;
   } else if (const auto* body = std::get_if<BodyForce>(&definition.kind)) {
     check_vector(path + ".body_force.acceleration", body->acceleration);
-    model_.body_loads.push_back(
-        {definition.name, body->acceleration, loaded_bodies(path + ".body_force", *body), load.time});
+    model_.body_loads.push_back(body_load(path + ".body_force", *body));
+    model_.body_loads.back().name = definition.name;
+    model_.body_loads.back().time = load.time;
     return;
   } else {
     violations_.add(path, "", "no kind of load is given",
@@ -139,6 +140,25 @@ std::vector<std::pair<SurfacePoint, double>> Validator::with_profile(const std::
     shares.emplace_back(point, share);
   }
   return shares;
+}
+
+BodyLoad Validator::body_load(const std::string& path, const BodyForce& force) {
+  BodyLoad load;
+  load.acceleration = force.acceleration;
+  load.bodies = loaded_bodies(path, force);
+  load.reference = force.reference;
+  const bool given = force.field.x || force.field.y || force.field.z;
+  if (!given) return load;
+  const Vector& uniform = force.acceleration;
+  if (uniform.x != 0 || uniform.y != 0 || uniform.z != 0) {
+    violations_.add(path + ".field", "", "acceleration is given as well", "give one of them");
+  }
+  Vector place;
+  if (!load.bodies.empty() && is_complete(load.bodies.front()))
+    place = model_.bodies[load.bodies.front()].lattice.point_of(0);
+  field(path + ".field", force.field, place_variables() + "t", place,
+        {&load.field[0], &load.field[1], &load.field[2]});
+  return load;
 }
 
 std::vector<std::size_t> Validator::loaded_bodies(const std::string& path, const BodyForce& force) {

@@ -34,7 +34,12 @@ void Validator::check_numerics() {
   if (std::ranges::find(shapes, numerics.shape_functions) == shapes.end()) {
     unknown_name("numerics.shape_functions", numerics.shape_functions, "shape function", shapes);
   }
-  violations_.within("numerics.flip_fraction", numerics.flip_fraction, 0, 1);
+  const auto transfers = strings(transfer_names());
+  if (std::ranges::find(transfers, numerics.transfer) == transfers.end()) {
+    unknown_name("numerics.transfer", numerics.transfer, "transfer", transfers);
+  }
+  if (numerics.flip_fraction) violations_.within("numerics.flip_fraction", *numerics.flip_fraction, 0, 1);
+  if (numerics.transfer_order) violations_.within("numerics.transfer_order", *numerics.transfer_order, 1, 20);
   if (!(numerics.time_step_fraction > 0 && numerics.time_step_fraction <= 1)) {
     violations_.add("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "out of range",
                     "give a value greater than 0 and at most 1");

@@ -28,6 +28,13 @@ class Validator : private Checks {
   bool check_parameter(const std::string& path, const Parameter& parameter, double value);
   void check_bodies();
   bool check_body(const std::string& path, const BodyDefinition& definition, Body& body);
+  void check_initial_state(const std::string& path, const BodyDefinition& definition, Body& body, Vector place);
+  void check_initial_stress(const std::string& path, const BodyDefinition& definition, Body& body, Vector place);
+  void check_initial_deformation(const std::string& path, const BodyDefinition& definition, Body& body,
+                                 Vector place);
+  void check_volume_ratio(const std::string& path, Body& body);
+  const MaterialKind* law_of(const Body& body) const;  ///< nullptr: not known
+  bool too_many(const std::string& path, double particles);
   bool fill_body(const std::string& path, const BodyDefinition& definition, Body& body);
   std::string box_text(const Box& box) const;
   void check_boundaries();
@@ -63,6 +70,7 @@ class Validator : private Checks {
   /// The points with their areas times a profile.
   std::vector<std::pair<SurfacePoint, double>> with_profile(const std::string& path, const std::string& profile,
                                                             const std::vector<SurfacePoint>& points);
+  BodyLoad body_load(const std::string& path, const BodyForce& force);
   std::vector<std::size_t> loaded_bodies(const std::string& path, const BodyForce& force);
   std::optional<TimeFunction> time_function(const std::string& path, const TimeFunctionDefinition& definition);
   void check_analysis();

@@ -52,6 +52,8 @@ struct Pressure {
 struct BodyForce {
   Vector acceleration;
   std::vector<std::string> bodies;
+  VectorExpression field = {};
+  bool reference = false;  ///< configuration in which the field is evaluated
 };
 
 struct LoadDefinition {

@@ -55,6 +55,8 @@ struct BodyDefinition {
   Region geometry;
   std::int32_t particles_per_cell_side = 2;
   VectorExpression initial_velocity;
+  SymmetricTensorExpression initial_stress = {};
+  TensorExpression initial_deformation = {};
 };
 
 struct Analysis {
@@ -65,7 +67,9 @@ struct Analysis {
 struct Numerics {
   std::string scheme = "MUSL";
   std::string shape_functions = "linear";
-  double flip_fraction = 1;
+  std::string transfer = "FLIP";
+  std::optional<double> flip_fraction;
+  std::optional<std::int32_t> transfer_order;
   double time_step_fraction = 0.5;
   std::optional<double> time_step;
   std::optional<std::int32_t> threads;

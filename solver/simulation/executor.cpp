@@ -47,7 +47,7 @@ Executor::Executor(const Model& model, int threads)
     sweep_.faces[axis] = static_cast<double>(cells[axis]);
     sweep_.upper[axis] = origin[axis] + model.grid.cell * sweep_.faces[axis];
   }
-  sweep_.flip = model.numerics.flip_fraction;
+  sweep_.flip = model.numerics.flip_fraction.value_or(1);
   lightest_particle_ = lightest_particle(bodies_);
   account_ = !loads_.none() || model.damping > 0 || conditions_.work();
   const auto window = static_cast<std::size_t>(quantities(node_vectors, axes_) * transfer_.window_copies *
@@ -89,6 +89,8 @@ void Executor::for_each_tile(Of&& of) {
 }
 
 void Executor::particles(std::initializer_list<Pass> passes) {
+  // Loads that depend on the place need particles to be there before a step begins.
+  if (loads_.follow_particles() && std::ranges::find(passes, Pass::scatter_state) != passes.end()) finish();
   for (Pass pass : passes) {
     if (pass == Pass::move || pass == Pass::displace) {
       loads_.advect(tiles_, bodies_, times_.drift);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/loads/body_fields.h"
 #include "solver/schemes/law_state.h"
 #include "solver/schemes/schemes.h"
 
@@ -69,6 +70,24 @@ bool records_deformation(const Model& model) {
                              [&](const Probe& probe) { return std::ranges::any_of(probe.fields, follows); });
 }
 
+/// Evaluates a formula for all particles into an attribute, if there is one and the attribute is needed.
+void fill(BodyParticles& made, Attribute attribute, const std::optional<Expression>& formula,
+          const Lattice& lattice) {
+  std::vector<double>& values = made[attribute];
+  if (!formula || values.empty()) return;
+  lattice.for_each_point(
+      [&](std::int64_t point, Vector at) { values[static_cast<std::size_t>(point)] = (*formula)(at, 0); });
+}
+
+void begin_state(BodyParticles& made, const Body& body) {
+  using enum Attribute;
+  constexpr Attribute stress[] = {stress_xx, stress_yy, stress_zz, stress_xy, stress_yz, stress_xz};
+  for (std::size_t i = 0; i < body.stress.size(); ++i) fill(made, stress[i], body.stress[i], body.lattice);
+  for (std::size_t i = 0; i < body.deformation.size(); ++i)
+    fill(made, static_cast<Attribute>(static_cast<std::size_t>(deformation_xx) + i), body.deformation[i],
+         body.lattice);
+}
+
 void begin_history(BodyParticles& made) {
   std::array<double, most_history_variables> history{};
   for (std::size_t i = 0; made.law->history > 0 && i < made.size(); ++i) {
@@ -92,6 +111,7 @@ BodyParticles make_body(const Model& model, std::size_t index) {
     made[one].assign(made[one].size(), 1.0);
   made.number.resize(n);
   fill(made, model, body);
+  begin_state(made, body);
   begin_history(made);
   return made;
 }
@@ -123,6 +143,8 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   if (shapes || records_deformation(model))
     for (Attribute a : law.tracked)
       add({a}, shapes ? "shape functions " + model.numerics.shape_functions : "outputs of strain");
+  for (int axis = 0; BodyFields::act_on(model, body) && axis < grid_axes(model.dimension); ++axis)
+    needs.push_back({static_cast<Attribute>(static_cast<int>(load_x) + axis), "body force of place"});
   return needs;
 }
 

@@ -16,13 +16,9 @@ struct Numbered {
 
 std::vector<Numbered> all_particles(const Body& body) {
   std::vector<Numbered> particles;
-  std::int64_t number = body.first_particle;
-  for (std::int64_t row = 0; row < body.lattice.rows; ++row) {
-    const auto columns = body.lattice.columns_in_row(row);
-    for (std::int64_t column = columns.begin; column < columns.end; ++column) {
-      particles.push_back({number++, body.lattice.point(column, row)});
-    }
-  }
+  body.lattice.for_each_point([&](std::int64_t number, Vector place) {
+    particles.push_back({body.first_particle + number, place});
+  });
   return particles;
 }
 

@@ -67,7 +67,7 @@ TEST_F(EveryField, KeepsPressures) {
 }
 
 TEST_F(EveryField, KeepsLoads) {
-  ASSERT_EQ(scene_.loads.size(), 8u);
+  ASSERT_EQ(scene_.loads.size(), 9u);
   EXPECT_EQ(scene_.loads[0].name, "point");
   const auto& point = std::get<PointForce>(scene_.loads[0].kind);
   EXPECT_EQ(point.body, "ball");
@@ -81,6 +81,12 @@ TEST_F(EveryField, KeepsLoads) {
   for (int i : {1, 2, 3, 4}) edges.push_back(std::get<EdgeTraction>(scene_.loads[i].kind).edge);
   EXPECT_THAT(edges, ElementsAre(Edge::left, Edge::right, Edge::bottom, Edge::top));
   const auto& gravity = std::get<BodyForce>(scene_.loads[5].kind);
+  EXPECT_FALSE(gravity.reference);
+  const auto& source = std::get<BodyForce>(scene_.loads.back().kind);
+  EXPECT_EQ(source.field.x, "8*x");
+  EXPECT_EQ(source.field.y, "8*y");
+  EXPECT_EQ(source.field.z, "8*z");
+  EXPECT_TRUE(source.reference);
   expect_vector(gravity.acceleration, 13.1, 13.2);
   EXPECT_THAT(gravity.bodies, ElementsAre("ball", "beam"));
 }

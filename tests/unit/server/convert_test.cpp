@@ -64,7 +64,7 @@ TEST_F(EveryField, KeepsMaterials) {
 }
 
 TEST_F(EveryField, KeepsBodies) {
-  ASSERT_EQ(scene_.bodies.size(), 2u);
+  ASSERT_EQ(scene_.bodies.size(), 3u);
   EXPECT_EQ(scene_.bodies[0].name, "beam");
   EXPECT_EQ(scene_.bodies[0].material, "rate");
   expect_box(scene_.bodies[0].geometry, 5.1, 5.2, 5.3, 5.4);
@@ -72,6 +72,39 @@ TEST_F(EveryField, KeepsBodies) {
   EXPECT_EQ(scene_.bodies[0].initial_velocity.x, "1*x");
   EXPECT_EQ(scene_.bodies[0].initial_velocity.y, "2*y");
   expect_disc(scene_.bodies[1].geometry, 6.1, 6.2, 6.3);
+}
+
+TEST_F(EveryField, KeepsInitialStates) {
+  const BodyDefinition& beam = scene_.bodies[0];
+  EXPECT_EQ(beam.initial_velocity.z, "3*z");
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(beam.initial_stress.components[i], std::to_string(21 + i)) << symmetric_tensor_names[i];
+  for (std::size_t i = 0; i < 9; ++i)
+    EXPECT_EQ(beam.initial_deformation.components[i], std::to_string(31 + i)) << tensor_names[i];
+  EXPECT_EQ(scene_.bodies[1].initial_stress.components[0], std::nullopt);
+}
+
+TEST_F(EveryField, KeepsShapesAndSets) {
+  const auto& parts = std::get<Union>(scene_.bodies[2].geometry).regions;
+  ASSERT_EQ(parts.size(), 5u);
+  const auto& sphere = std::get<Sphere>(parts[0].region);
+  expect_vector(sphere.centre, 20.1, 20.2, 20.3);
+  EXPECT_EQ(sphere.radius, 20.4);
+  const auto& cylinder = std::get<Cylinder>(parts[1].region);
+  expect_vector(cylinder.from, 21.1, 21.2, 21.3);
+  expect_vector(cylinder.to, 21.4, 21.5, 21.6);
+  EXPECT_EQ(cylinder.radius, 21.7);
+  const auto& polygon = std::get<Polygon>(parts[2].region);
+  ASSERT_EQ(polygon.corners.size(), 3u);
+  expect_vector(polygon.corners[2], 22.5, 22.6);
+  EXPECT_EQ(std::get<Mesh>(parts[3].region).stl, "solid part");
+  const auto& common = std::get<Intersection>(parts[4].region).regions;
+  ASSERT_EQ(common.size(), 2u);
+  EXPECT_EQ(std::get<Disc>(common[1].region).radius, 23.3);
+  const auto& ring = std::get<Difference>(common[0].region).regions;
+  ASSERT_EQ(ring.size(), 2u);
+  EXPECT_EQ(std::get<Disc>(ring[0].region).radius, 23.1);
+  EXPECT_EQ(std::get<Disc>(ring[1].region).radius, 23.2);
 }
 
 TEST_F(EveryField, KeepsTimeFunctions) {
@@ -99,6 +132,8 @@ TEST_F(EveryField, KeepsAnalysisAndNumerics) {
   EXPECT_EQ(scene_.numerics.time_step_fraction, 0.92);
   EXPECT_EQ(scene_.numerics.time_step, 0.93);
   EXPECT_EQ(scene_.numerics.threads, 7);
+  EXPECT_EQ(scene_.numerics.transfer, "XPIC");
+  EXPECT_EQ(scene_.numerics.transfer_order, 5);
 }
 
 TEST_F(EveryField, KeepsOutputs) {
@@ -166,7 +201,8 @@ TEST(ConvertScene, FieldsLeftOutTakeTheirDefaults) {
   EXPECT_EQ(std::get<double>(scene.loads[0].time), 1);
   EXPECT_EQ(scene.numerics.scheme, fresh.numerics.scheme);
   EXPECT_EQ(scene.numerics.shape_functions, fresh.numerics.shape_functions);
-  EXPECT_EQ(scene.numerics.flip_fraction, 1);
+  EXPECT_EQ(scene.numerics.flip_fraction, std::nullopt);
+  EXPECT_EQ(scene.numerics.transfer, fresh.numerics.transfer);
   EXPECT_EQ(scene.numerics.time_step_fraction, 0.5);
   EXPECT_EQ(scene.numerics.time_step, std::nullopt);
   EXPECT_EQ(scene.numerics.threads, std::nullopt);
@@ -257,45 +293,6 @@ TEST(SceneSchema, TellsPathsOfFieldsFromOthers) {
                            "bodies[0].geometry.shape.disc", "bodies[0]. name", "bodies[-1]", "bodies[0"}) {
     EXPECT_FALSE(testing::names_a_field(scene, path)) << path;
   }
-}
-
-TEST(ConvertAnswers, ViolationKeepsItsFourTexts) {
-  const v1::Violation message = to_proto(Violation{"a[0].b", "value", "problem", "remedy"});
-  EXPECT_EQ(message.path(), "a[0].b");
-  EXPECT_EQ(message.value(), "value");
-  EXPECT_EQ(message.problem(), "problem");
-  EXPECT_EQ(message.remedy(), "remedy");
-}
-
-TEST(ConvertAnswers, MeasureWithoutExactValueHasNoError) {
-  const v1::MeasureValue bare = to_proto(MeasureValue{"m", "q", 1.5, {}, {}, {}, ""});
-  EXPECT_EQ(bare.value(), 1.5);
-  EXPECT_FALSE(bare.has_exact() || bare.has_error() || bare.has_tolerance());
-  const v1::MeasureValue full = to_proto(MeasureValue{"m", "q", 1.5, 0.0, 1.5, 0.25, "book"});
-  EXPECT_TRUE(full.has_exact());
-  EXPECT_EQ(full.error(), 1.5);
-  EXPECT_EQ(full.tolerance(), 0.25);
-  EXPECT_EQ(full.source(), "book");
-}
-
-TEST(ConvertAnswers, ProgressKeepsItsNumbers) {
-  const v1::Progress message = to_proto(RunProgress{1, 2, 3.5, 4.5, 5, 6.5, 7.5});
-  EXPECT_EQ(message.ShortDebugString(),
-            "step: 1 total_steps: 2 time: 3.5 end_time: 4.5 rows: 5 energy_balance_error: 6.5 "
-            "particle_steps_per_second: 7.5");
-}
-
-TEST(ConvertAnswers, DivergenceSaysWhereAndWhy) {
-  const v1::Failure message = to_proto(Divergence{1, 2.5, 3, "cause", "remedy"});
-  EXPECT_EQ(message.ShortDebugString(),
-            "reason: \"DIVERGED\" message: \"cause\" remedy: \"remedy\" step: 1 time: 2.5 particle: 3");
-}
-
-TEST(ConvertAnswers, PlanKeepsItsNumbersAndAttributes) {
-  const v1::Plan message = to_proto(ModelPlan{1, 2, 3.5, 4, "wave", 5, {{"mass", 8, "scheme"}}});
-  EXPECT_EQ(message.ShortDebugString(),
-            "particles: 1 active_cells: 2 time_step: 3.5 steps: 4 time_step_limit: \"wave\" memory_bytes: 5 "
-            "attributes { name: \"mass\" bytes_per_particle: 8 wanted_by: \"scheme\" }");
 }
 
 }  // namespace
