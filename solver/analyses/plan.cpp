@@ -4,6 +4,7 @@
 #include "solver/analyses/run.h"
 #include "solver/schemes/time_step.h"
 #include "solver/simulation/particles.h"
+#include "solver/transfers/transfer.h"
 
 namespace trajan {
 
@@ -38,8 +39,9 @@ ModelPlan plan(const Model& model) {
   // Nodes and windows of the tiles in which the material is.
   const int axes = grid_axes(model.dimension);
   const Layout& layout = kernels().transfer(model.numerics.shape_functions, model.dimension)->layout;
+  const int node_vectors_needed = find_transfer(model.numerics.transfer)->node_vectors;
   const std::int64_t tiles = plan.active_cells / tile_nodes + 1;
-  plan.memory_bytes += tiles * static_cast<std::int64_t>((quantities(node_vectors, axes) * tile_nodes +
+  plan.memory_bytes += tiles * static_cast<std::int64_t>((quantities(node_vectors_needed, axes) * tile_nodes +
                                                           quantities(sum_vectors, axes) * layout.window_nodes) *
                                                          sizeof(double));
   return plan;

@@ -64,6 +64,14 @@ void Conditions::act_on_mapped_surfaces(const std::vector<BodyParticles>& bodies
   }
 }
 
+void Conditions::hold(std::size_t tile, double* vector) const {
+  if (held_.empty()) return;
+  const std::uint8_t* held = held_.data() + tile * TileNodes::count;
+  for (int axis = 0; axis < axes_; ++axis)
+    for (int node = 0; node < TileNodes::count; ++node)
+      if (held[node] >> axis & 1) vector[axis * TileNodes::count + node] = 0;
+}
+
 void Conditions::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) {
   for (auto& condition : on_surfaces_) condition->advect(tiles, bodies, drift);
 }

@@ -25,10 +25,13 @@ class Conditions {
   Reaction act(std::size_t tile);
   /// Makes the velocities fit that were mapped a second time.
   void act_on_mapped(std::size_t tile) const;
-  /// The same for conditions on surfaces, on all tiles.
+  /// What conditions on surfaces do, on all tiles.
   Reaction act_on_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles);
   /// `moved`: particles are no longer where they were when forces acted.
   void act_on_mapped_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles, bool moved);
+  /// Makes a correction of a tile's velocities or accelerations zero where these are prescribed. `vector`: its
+  /// components one after the other.
+  void hold(std::size_t tile, double* vector) const;
   /// Moves surface points; to be called before the particles move.
   void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
   /// The points of the conditions on surfaces.

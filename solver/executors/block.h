@@ -3,62 +3,10 @@
 #include <array>
 #include <cstdint>
 
+#include "solver/executors/attribute.h"
 #include "solver/executors/layout.h"
 
 namespace trajan {
-
-/// What a particle may carry, one array each. Only what a scene's kernels need is allocated.
-enum class Attribute : std::uint8_t {
-  position_x,  ///< where shape functions are evaluated: current, in total Lagrangian schemes reference
-  position_y,
-  position_z,
-  velocity_x,
-  velocity_y,
-  velocity_z,
-  displacement_x,  ///< total Lagrangian schemes: current minus reference position
-  displacement_y,
-  displacement_z,
-  volume,     ///< current, thickness included, in axisymmetric scenes per radian
-  stress_xx,  ///< Cauchy
-  stress_yy,
-  stress_zz,
-  stress_xy,
-  stress_yz,
-  stress_xz,
-  deformation_xx,  ///< deformation gradient F
-  deformation_xy,
-  deformation_xz,
-  deformation_yx,
-  deformation_yy,
-  deformation_yz,
-  deformation_zx,
-  deformation_zy,
-  deformation_zz,
-  affine_xx,  ///< APIC: sum of velocity times distance from the particle
-  affine_xy,
-  affine_xz,
-  affine_yx,
-  affine_yy,
-  affine_yz,
-  affine_zx,
-  affine_zy,
-  affine_zz,
-  history_0,  ///< what the law itself remembers, in the order that it states
-  history_1,
-  history_2,
-  history_3,
-  history_4,
-  history_5,
-  history_6,
-  history_7,
-  reference_volume,  ///< only where a body's particles differ in it: axisymmetric, per radian
-  load_x,            ///< acceleration by loads that differ from particle to particle
-  load_y,
-  load_z,
-  count
-};
-inline constexpr int most_history_variables = 8;
-inline constexpr int attribute_count = static_cast<int>(Attribute::count);
 
 /// Particles that one call of a stage works on: their intermediate values stay in the first-level cache.
 inline constexpr int block_size = 128;
@@ -81,6 +29,13 @@ struct Trouble {
   std::int64_t unsolved = 0;  ///< no stretch was found that frees the rest of its stress
 };
 
+/// Of affine transfers, along one axis and in cells: (x_I - x_p) w_I / D of consecutive nodes, and
+/// D = sum w_I (x_I - x_p)^2. Where D is zero the first are the limit that keeps angular momentum.
+struct Levers {
+  BlockArray lever[4];
+  BlockArray inertia;
+};
+
 /// Working memory of one thread.
 struct alignas(64) Scratch {
   alignas(64) std::int64_t cell[block_size + 2 * block_padding];  ///< index of the stencil's first node
@@ -98,6 +53,7 @@ struct alignas(64) Scratch {
   double deform_share = 1;     ///< of the step's drift by which laws deform
   double* window = nullptr;    ///< what the nodes around hold, one array of window_nodes per quantity
   double* stencils = nullptr;  ///< weights that are no products, if the shape functions need them
+  Levers* levers = nullptr;    ///< by axis, if the transfer is affine
   Trouble trouble;
 };
 
@@ -118,6 +74,7 @@ struct SweepConstants {
   double origin[3] = {};                ///< of the grid
   double lower[3] = {}, upper[3] = {};  ///< no particle may leave this box
   double faces[3] = {};                 ///< cells from the lower face of the domain to the upper one
+  double period[3] = {};                ///< cells after which the grid repeats itself; 0: it does not
   double kick = 0;                      ///< time by which velocities advance
   double drift = 0;                     ///< time by which positions advance
   double flip = 1;

@@ -67,7 +67,12 @@ enum NodeVector : int {
   node_acceleration,
   node_velocity,         ///< after the step's forces
   node_mapped_velocity,  ///< for gradients: in MUSL mapped a second time from the particles
-  node_vectors
+  node_vectors,
+  /// \name Only of transfers that iterate
+  /// @{
+  node_remainder = node_vectors,  ///< of velocity, what the particles have not been able to carry so far
+  node_projected_velocity         ///< what the particles take on, where it is not the velocity itself
+  /// @}
 };
 inline constexpr int quantity_mass = 0;
 /// Index of a component of a vector among the quantities.

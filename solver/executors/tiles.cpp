@@ -22,7 +22,7 @@ void Tiles::add_reached(const OccupiedTile& tile) {
     for (int y = down[1]; y <= up[1]; ++y)
       for (int x = down[0]; x <= up[0]; ++x) {
         Tile reached;
-        reached.at = {tile.at[0] + x, tile.at[1] + y, tile.at[2] + z};
+        reached.at = wrapped({tile.at[0] + x, tile.at[1] + y, tile.at[2] + z});
         tiles_.push_back(reached);
       }
 }
@@ -31,7 +31,7 @@ void Tiles::find_neighbours(Tile& tile) const {
   for (int n = 0; n < layout_.neighbours; ++n) {
     TileIndex at = tile.at;
     for (int axis = 0, rest = n; axis < layout_.dimensions; ++axis, rest /= 3) at[axis] += rest % 3 - 1;
-    tile.around[n] = find(at);
+    tile.around[n] = find(wrapped(at));
   }
 }
 
@@ -75,6 +75,12 @@ Neighbours Tiles::sums_around(const Tile& tile) const {
     around[n] = other && other->window >= 0 ? sums_.data() + window(*other) : nothing_.data();
   }
   return around;
+}
+
+TileIndex Tiles::wrapped(TileIndex at) const {
+  for (std::size_t axis = 0; axis < at.size(); ++axis)
+    if (period_[axis] > 0) at[axis] = (at[axis] % period_[axis] + period_[axis]) % period_[axis];
+  return at;
 }
 
 std::int32_t Tiles::find(const TileIndex& at) const {

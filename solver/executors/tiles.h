@@ -49,9 +49,10 @@ using Neighbours = std::array<const double*, most_neighbours>;
 /// The part of the background grid that exists, in order.
 class Tiles {
  public:
-  /// `node_quantities`: how many arrays a tile's nodes have; `sum_quantities`: how many a window has.
-  Tiles(const Layout& layout, int node_quantities, int sum_quantities)
-      : layout_(layout), node_quantities_(node_quantities), sum_quantities_(sum_quantities) {}
+  /// `node_quantities`: how many arrays a tile's nodes have; `sum_quantities`: how many a window has;
+  /// `period`: tiles after which the grid repeats itself along an axis, 0: it does not.
+  Tiles(const Layout& layout, int node_quantities, int sum_quantities, const TileIndex& period = {})
+      : layout_(layout), node_quantities_(node_quantities), sum_quantities_(sum_quantities), period_(period) {}
 
   /// `occupied` in order; `blocks` in the order of their tiles, `blocks_of[i]` the number of those of
   /// occupied tile i. Node values and sums are not kept.
@@ -69,6 +70,8 @@ class Tiles {
   /// Of the tiles around, zeros where there is none.
   Neighbours nodes_around(const Tile& tile) const;
   Neighbours sums_around(const Tile& tile) const;
+  /// The tile that stands for one which the grid repeats.
+  TileIndex wrapped(TileIndex at) const;
   /// Index of a tile, -1 if it does not exist.
   std::int32_t find(const TileIndex& at) const;
   /// Contiguous shares of the tiles for `threads` threads, of about equal work: threads + 1 bounds.
@@ -84,6 +87,7 @@ class Tiles {
 
   Layout layout_;
   int node_quantities_, sum_quantities_;
+  TileIndex period_;
   std::vector<Tile> tiles_;
   std::vector<BlockRange> blocks_;
   AlignedDoubles nodes_, sums_;

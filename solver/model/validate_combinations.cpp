@@ -1,5 +1,6 @@
 #include "solver/model/validator.h"
 #include "solver/schemes/scheme.h"
+#include "solver/transfers/transfer.h"
 
 /// Choices that are right each by itself and make no sense together.
 namespace trajan {
@@ -15,9 +16,7 @@ struct Exclusion {
 
 bool is_total(const Model& model) { return is_total_lagrangian(model.numerics.scheme); }
 bool has_shapes(const Model& model, std::string_view name) { return model.numerics.shape_functions == name; }
-bool has_order(const Model& model) {
-  return model.numerics.transfer == "XPIC" || model.numerics.transfer == "FMPM";
-}
+bool has_order(const Model& model) { return find_transfer(model.numerics.transfer)->ordered; }
 bool is_odd(std::int64_t cells) { return cells % 2 == 1; }
 
 constexpr Exclusion exclusions[] = {

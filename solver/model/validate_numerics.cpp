@@ -5,6 +5,7 @@
 #include "solver/model/validator.h"
 #include "solver/schemes/scheme.h"
 #include "solver/schemes/time_step.h"
+#include "solver/transfers/transfer.h"
 
 namespace trajan {
 
@@ -34,12 +35,7 @@ void Validator::check_numerics() {
   if (std::ranges::find(shapes, numerics.shape_functions) == shapes.end()) {
     unknown_name("numerics.shape_functions", numerics.shape_functions, "shape function", shapes);
   }
-  const auto transfers = strings(transfer_names());
-  if (std::ranges::find(transfers, numerics.transfer) == transfers.end()) {
-    unknown_name("numerics.transfer", numerics.transfer, "transfer", transfers);
-  }
-  if (numerics.flip_fraction) violations_.within("numerics.flip_fraction", *numerics.flip_fraction, 0, 1);
-  if (numerics.transfer_order) violations_.within("numerics.transfer_order", *numerics.transfer_order, 1, 20);
+  check_transfer();
   if (!(numerics.time_step_fraction > 0 && numerics.time_step_fraction <= 1)) {
     violations_.add("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "out of range",
                     "give a value greater than 0 and at most 1");
@@ -47,6 +43,20 @@ void Validator::check_numerics() {
   if (numerics.time_step) violations_.positive("numerics.time_step", *numerics.time_step);
   if (numerics.threads) violations_.within("numerics.threads", *numerics.threads, 1, 256);
   model_.numerics = numerics;
+}
+
+void Validator::check_transfer() {
+  const Numerics& numerics = scene_.numerics;
+  if (numerics.flip_fraction) violations_.within("numerics.flip_fraction", *numerics.flip_fraction, 0, 1);
+  if (numerics.transfer_order) violations_.within("numerics.transfer_order", *numerics.transfer_order, 1, 20);
+  const Transfer* transfer = find_transfer(numerics.transfer);
+  if (!transfer) {
+    unknown_name("numerics.transfer", numerics.transfer, "transfer", strings(transfer_names()));
+    return;
+  }
+  const std::string_view objection = transfer->objection(numerics);
+  if (!objection.empty())
+    violations_.add("numerics.transfer", numerics.transfer, std::string(objection), "choose another transfer");
 }
 
 void Validator::check_time_step() {

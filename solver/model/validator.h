@@ -76,6 +76,7 @@ class Validator : private Checks {
   void check_analysis();
   void check_numerics();
   void check_combinations();
+  void check_transfer();
   void check_time_step();
   void check_outputs();
   bool check_fields(const std::string& path, const std::vector<Field>& fields);

@@ -64,6 +64,9 @@ struct Analysis {
   double damping = 0;
 };
 
+/// Of transfers that have an order.
+inline constexpr std::int32_t default_transfer_order = 2;
+
 struct Numerics {
   std::string scheme = "MUSL";
   std::string shape_functions = "linear";

@@ -36,8 +36,9 @@ const TransferKernels* transfer(std::string_view name, Dimension dimension) {
 }
 
 template <int D>
-constexpr MotionKernels motion{&find_loads<D>, &kick<D>,           &kick_and_blend<D>, &move<D>,
-                               &displace<D>,   &measure_motion<D>, &account<D>,        &calm_light_nodes<D>};
+constexpr MotionKernels motion{&find_loads<D>,   &kick<D>,           &kick_and_blend<D>, &move<D>,
+                               &displace<D>,     &measure_motion<D>, &account<D>,        &calm_light_nodes<D>,
+                               &take_velocity<D>};
 
 }  // namespace
 

@@ -63,6 +63,15 @@ struct NodeBlock {
   double work = 0, dissipated = 0;  ///< results
 };
 
+/// What affine transfers need: velocities that vary linearly about their particle. Not of all shape functions.
+struct AffineKernels {
+  Stage find_levers = nullptr;
+  Stage begin = nullptr;    ///< makes of the gradient of initial velocities what particles carry
+  Stage scatter = nullptr;  ///< momentum, besides that of the particles' own velocities
+  Stage gather = nullptr;   ///< of the grid's velocity
+  Stage kick = nullptr;     ///< by the grid's acceleration
+};
+
 /// What depends on the shape functions and the dimension.
 struct TransferKernels {
   Layout layout;
@@ -80,6 +89,11 @@ struct TransferKernels {
   void (*map_velocities)(NodeBlock&);
   /// Copies what a tile and its neighbours hold into a window. `mask`: bits of the quantities.
   void (*load_window)(double* window, const Neighbours& nodes, unsigned mask);
+  AffineKernels affine;
+  Stage gather_projected;                    ///< velocity, where it is not the grid's
+  Stage remap;                               ///< the nodes' remainder to the particles, and its momentum back
+  void (*reduce_remainder)(NodeBlock&);      ///< by what the particles have brought back
+  const TransferKernels* general = nullptr;  ///< these are but for FLIP, those are for all transfers
 };
 
 /// What depends on the dimension alone.
@@ -88,6 +102,7 @@ struct MotionKernels {
   Measurement measure;  ///< kinetic energy, momentum and speed
   void (*account)(NodeBlock&);
   void (*calm_light_nodes)(NodeBlock&);
+  Stage take_velocity;  ///< that which has been gathered
 };
 
 /// Everything whose speed depends on the instruction set.

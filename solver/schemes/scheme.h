@@ -13,10 +13,4 @@ std::span<const std::string_view> shape_names();
 /// are not registered.
 bool is_total_lagrangian(std::string_view scheme);
 
-/// How velocities go from nodes to particles.
-inline std::span<const std::string_view> transfer_names() {
-  static constexpr std::string_view names[] = {"FLIP"};
-  return names;
-}
-
 }  // namespace trajan

@@ -6,7 +6,7 @@ namespace trajan {
 void synchronise(Executor& mpm, const StepTimes& times) {
   mpm.particles({Pass::locate, Pass::force, Pass::scatter_state});
   mpm.update_velocities(times);
-  mpm.particles({Pass::locate, Pass::gather_acceleration, Pass::kick});
+  mpm.particles({Pass::locate, Pass::kick});
   mpm.finish();
 }
 

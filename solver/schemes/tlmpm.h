@@ -13,7 +13,7 @@ struct Tlmpm {
   static void step(Executor& mpm, const StepTimes& times) {
     mpm.particles({Pass::locate, Pass::force, Pass::scatter_state});
     mpm.update_velocities(times);
-    mpm.particles({Pass::locate, Pass::gather_acceleration, Pass::update_velocity, Pass::scatter_momentum});
+    mpm.particles({Pass::locate, Pass::update_velocity, Pass::scatter_momentum});
     mpm.map_velocities();
     mpm.particles({Pass::locate, Pass::gather_motion, Pass::displace, Pass::deform});
   }

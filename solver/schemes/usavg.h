@@ -13,7 +13,7 @@ struct Usavg {
   static void step(Executor& mpm, const StepTimes& times) {
     mpm.particles({Pass::locate, Pass::force, Pass::scatter_state});
     mpm.update_velocities(times, Usl::light_node);
-    mpm.particles({Pass::locate, Pass::gather_acceleration, Pass::update_velocity});
+    mpm.particles({Pass::locate, Pass::update_velocity});
     mpm.particles({Pass::gather_motion, Pass::move, Pass::deform_by_half});
     mpm.particles({Pass::locate, Pass::scatter_motion});
     mpm.map_velocities(true);

@@ -15,7 +15,7 @@ struct Usf {
     mpm.particles({Pass::locate, Pass::force, Pass::scatter_state});
     mpm.update_velocities(times);
     mpm.particles(
-        {Pass::locate, Pass::gather_acceleration, Pass::update_velocity, Pass::gather_velocity, Pass::move});
+        {Pass::locate, Pass::update_velocity, Pass::gather_velocity, Pass::move});
     mpm.particles({Pass::locate, Pass::scatter_motion});
     mpm.map_velocities(true);
     mpm.particles({Pass::locate, Pass::gather_gradient, Pass::deform});

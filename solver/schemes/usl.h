@@ -20,7 +20,7 @@ struct Usl {
   static void step(Executor& mpm, const StepTimes& times) {
     mpm.particles({Pass::locate, Pass::force, Pass::scatter_state});
     mpm.update_velocities(times, light_node);
-    mpm.particles({Pass::locate, Pass::gather_acceleration, Pass::update_velocity});
+    mpm.particles({Pass::locate, Pass::update_velocity});
     mpm.particles({Pass::gather_motion, Pass::move, Pass::deform});
   }
 };

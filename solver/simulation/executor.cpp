@@ -9,8 +9,15 @@
 namespace trajan {
 namespace {
 
-/// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
-constexpr double least_mass_share = 1e-12;
+const TransferKernels& choose(const Transfer& transfer, const TransferKernels& kernels) {
+  return transfer.general && kernels.general ? *kernels.general : kernels;
+}
+
+std::vector<Stage> joined(std::initializer_list<std::vector<Stage>> lists) {
+  std::vector<Stage> all;
+  for (const std::vector<Stage>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
 /// Of the step's drift by which laws deform.
 void take_half(Block& block) { block.scratch->deform_share = 0.5; }
@@ -31,12 +38,14 @@ Executor::Executor(const Model& model, int threads)
       axes_(grid_axes(model.dimension)),
       kernels_(kernels()),
       motion_(kernels_.motion[axes_ - 1]),
-      transfer_(*kernels_.transfer(model.numerics.shape_functions, model.dimension)),
+      transfer_kind_(*find_transfer(model.numerics.transfer)),
+      transfer_(choose(transfer_kind_, *kernels_.transfer(model.numerics.shape_functions, model.dimension))),
+      transfer_passes_(transfer_kind_.passes(transfer_, motion_, model.numerics)),
       pool_(threads),
       bodies_(make_particles(model)),
       conditions_(model),
       loads_(model),
-      tiles_(transfer_.layout, quantities(node_vectors, axes_),
+      tiles_(transfer_.layout, quantities(transfer_kind_.node_vectors, axes_),
              quantities(loads_.none() ? sum_load : sum_vectors, axes_)) {
   sweep_.cell = model.grid.cell;
   sweep_.inverse_cell = 1 / model.grid.cell;
@@ -50,14 +59,16 @@ Executor::Executor(const Model& model, int threads)
   sweep_.flip = model.numerics.flip_fraction.value_or(1);
   lightest_particle_ = lightest_particle(bodies_);
   account_ = !loads_.none() || model.damping > 0 || conditions_.work();
-  const auto window = static_cast<std::size_t>(quantities(node_vectors, axes_) * transfer_.window_copies *
-                                               transfer_.layout.window_nodes);
+  const auto window = static_cast<std::size_t>(quantities(transfer_kind_.node_vectors, axes_) *
+                                               transfer_.window_copies * transfer_.layout.window_nodes);
   for (int thread = 0; thread < threads; ++thread) {
     scratch_.push_back(std::make_unique<Scratch>());
     windows_.emplace_back(window, 0.0);
     scratch_.back()->window = windows_.back().data();
     stencils_.emplace_back(static_cast<std::size_t>(transfer_.stencil_doubles), 0.0);
     scratch_.back()->stencils = stencils_.back().data();
+    levers_.emplace_back(transfer_kind_.affine ? static_cast<std::size_t>(axes_) : 0);
+    scratch_.back()->levers = levers_.back().data();
   }
 }
 
@@ -67,6 +78,13 @@ void Executor::sort() {
   sort_into_tiles(model_.grid, bodies_, tiles_);
   ++sortings_;
   bind();
+}
+
+void Executor::begin() {
+  sort();
+  if (transfer_passes_.begin.stages.empty()) return;
+  particles({Pass::locate, Pass::begin});
+  finish();
 }
 
 void Executor::bind() {
@@ -79,19 +97,10 @@ void Executor::bind() {
   tile_reactions_.assign(tiles, {});
 }
 
-template <class Of>
-void Executor::for_each_tile(Of&& of) {
-  pool_.run([&](int thread) {
-    for (std::size_t tile = shares_[static_cast<std::size_t>(thread)];
-         tile < shares_[static_cast<std::size_t>(thread) + 1]; ++tile)
-      of(tile, static_cast<std::size_t>(thread));
-  });
-}
-
 void Executor::particles(std::initializer_list<Pass> passes) {
-  // Loads that depend on the place need particles to be there before a step begins.
-  if (loads_.follow_particles() && std::ranges::find(passes, Pass::scatter_state) != passes.end()) finish();
   for (Pass pass : passes) {
+    // Loads that depend on place must know where particles are before the chain that scatters them begins.
+    if (pass == Pass::locate && loads_.follow_particles()) finish();
     if (pass == Pass::move || pass == Pass::displace) {
       loads_.advect(tiles_, bodies_, times_.drift);
       conditions_.advect(tiles_, bodies_, times_.drift);
@@ -109,40 +118,37 @@ void Executor::finish() {
 }
 
 std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) const {
-  const bool blend = sweep_.flip < 1, hoop = model_.dimension == Dimension::axisymmetric;
-  std::vector<Stage> stages;
+  const bool hoop = model_.dimension == Dimension::axisymmetric;
+  const auto only_if = [](bool wanted, std::vector<Stage> stages) {
+    return wanted ? stages : std::vector<Stage>{};
+  };
+  const TransferPasses& transfer = transfer_passes_;
   switch (pass) {
+    case Pass::begin:
+      return transfer.begin.stages;
     case Pass::locate:
-      return {transfer_.locate};
+      return joined({{transfer_.locate}, transfer.locate.stages});
     case Pass::force:
       return {body.law->force};
     case Pass::scatter_state:
-      stages = {transfer_.scatter_state};
-      if (hoop) stages.push_back(transfer_.scatter_hoop);
-      if (!loads_.none()) stages.insert(stages.end(), {motion_.find_loads, transfer_.scatter_loads});
-      return stages;
-    case Pass::gather_acceleration:
-      stages = {transfer_.gather_acceleration};
-      if (blend) stages.push_back(transfer_.gather_velocity);
-      return stages;
+      return joined({transfer.scatter_state.stages, only_if(hoop, {transfer_.scatter_hoop}),
+                     only_if(!loads_.none(), {motion_.find_loads, transfer_.scatter_loads})});
     case Pass::update_velocity:
-      return {blend ? motion_.kick_and_blend : motion_.kick};
+      return transfer.update_velocity.stages;
     case Pass::kick:
-      return {motion_.kick};
+      return transfer.kick.stages;
+    case Pass::remap:
+      return {transfer_.remap};
     case Pass::scatter_momentum:
-      return {transfer_.scatter_momentum};
+      return transfer.scatter_momentum.stages;
     case Pass::scatter_motion:
-      return {transfer_.scatter_mass, transfer_.scatter_momentum};
+      return joined({{transfer_.scatter_mass}, transfer.scatter_momentum.stages});
     case Pass::gather_velocity:
       return {transfer_.gather_velocity};
     case Pass::gather_gradient:
-      stages = {transfer_.gather_gradient};
-      if (hoop) stages.push_back(transfer_.gather_hoop);
-      return stages;
+      return joined({{transfer_.gather_gradient}, only_if(hoop, {transfer_.gather_hoop})});
     case Pass::gather_motion:
-      stages = {transfer_.gather_motion};
-      if (hoop) stages.push_back(transfer_.gather_hoop);
-      return stages;
+      return joined({{transfer_.gather_motion}, only_if(hoop, {transfer_.gather_hoop})});
     case Pass::move:
       return {motion_.move};
     case Pass::displace:
@@ -150,12 +156,9 @@ std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) con
     case Pass::deform:
       return deform_stages(body);
     case Pass::deform_by_half:
-      stages = deform_stages(body);
-      stages.insert(stages.begin(), take_half);
-      stages.push_back(take_whole);
-      return stages;
+      return joined({{take_half}, deform_stages(body), {take_whole}});
   }
-  return stages;
+  return {};
 }
 
 std::vector<Stage> Executor::deform_stages(const BodyParticles& body) const {
@@ -163,18 +166,21 @@ std::vector<Stage> Executor::deform_stages(const BodyParticles& body) const {
   return {body.law->deform, body.law->track};
 }
 
-/// Bits of the node quantities that a pass gathers.
+/// Bits of the node vectors that a pass gathers.
 unsigned Executor::gathered(Pass pass) const {
-  const auto bits = [this](NodeVector vector) { return ((1u << axes_) - 1) << quantity(vector, 0, axes_); };
   switch (pass) {
-    case Pass::gather_acceleration:
-      return bits(node_acceleration) | (sweep_.flip < 1 ? bits(node_velocity) : 0u);
+    case Pass::update_velocity:
+      return transfer_passes_.update_velocity.gathered;
+    case Pass::kick:
+      return transfer_passes_.kick.gathered;
+    case Pass::remap:
+      return 1u << node_remainder;
     case Pass::gather_velocity:
-      return bits(node_velocity);
+      return 1u << node_velocity;
     case Pass::gather_gradient:
-      return bits(node_mapped_velocity);
+      return 1u << node_mapped_velocity;
     case Pass::gather_motion:
-      return bits(node_velocity) | bits(node_mapped_velocity);
+      return 1u << node_velocity | 1u << node_mapped_velocity;
     default:
       return 0;
   }
@@ -186,10 +192,11 @@ const Executor::Chain& Executor::chain_of(std::span<const Pass> passes) {
   auto chain = std::make_unique<Chain>();
   chain->passes.assign(passes.begin(), passes.end());
   for (Pass pass : passes) {
-    chain->mask |= gathered(pass);
+    for (int vector = 0; vector < transfer_kind_.node_vectors; ++vector)
+      if (gathered(pass) >> vector & 1u) chain->mask |= ((1u << axes_) - 1) << quantity(vector, 0, axes_);
     if (pass == Pass::scatter_state) chain->sums = tiles_.sum_quantities();
     if (pass == Pass::scatter_motion) chain->sums = quantities(1, axes_);
-    if (pass == Pass::scatter_momentum) {
+    if (pass == Pass::scatter_momentum || pass == Pass::remap) {
       chain->first_sum = quantity(sum_momentum, 0, axes_);
       chain->sums = axes_;
     }
@@ -275,6 +282,8 @@ void Executor::prepare(const StepTimes& times) {
 }
 
 NodeBlock Executor::node_block(std::size_t tile, std::size_t thread) {
+  /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
+  constexpr double least_mass_share = 1e-18;
   NodeBlock block;
   block.nodes = tiles_.nodes(tile);
   block.sums = tiles_.sums_around(tiles_.tiles()[tile]);
@@ -316,6 +325,8 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
     });
     if (light_node > 0) conditions_.act_on_mapped_surfaces(bodies_, tiles_, false);
   }
+  project(times.drift > 0 ? transfer_passes_.projection : transfer_passes_.projection_at_sample,
+          light_node * lightest_particle_);
   if (!account_) return;
   for (const Reaction& of_tile : tile_reactions_) reaction += of_tile;
   work_ += reaction.work;

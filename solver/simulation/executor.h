@@ -11,37 +11,10 @@
 #include "solver/executors/thread_pool.h"
 #include "solver/loads/loads.h"
 #include "solver/simulation/particles.h"
+#include "solver/simulation/pass.h"
+#include "solver/transfers/transfer.h"
 
 namespace trajan {
-
-/// What can be done to a block of particles.
-enum class Pass {
-  locate,               ///< cell and place in it
-  force,                ///< stress to forces, by the body's law
-  scatter_state,        ///< mass, momentum, forces and loads to the nodes
-  gather_acceleration,  ///< from the nodes
-  update_velocity,      ///< by acceleration, blended with the grid's velocity if the scene says so
-  kick,                 ///< by acceleration alone
-  scatter_momentum,     ///< to the nodes, a second time
-  scatter_motion,       ///< mass and momentum alone, of particles that have moved
-  gather_velocity,      ///< of the grid
-  gather_gradient,      ///< of the velocity that is for gradients
-  gather_motion,        ///< both
-  move,                 ///< positions
-  displace,             ///< displacements, positions being reference ones
-  deform,               ///< deformation and stress, by the body's law
-  deform_by_half        ///< the same for half the step
-};
-
-/// When a kick happens and how far velocities and positions go.
-struct StepTimes {
-  std::int64_t step = 0;
-  double time = 0;    ///< of positions and forces
-  double before = 0;  ///< of velocities before the kick
-  double after = 0;   ///< of velocities after it
-  double drift = 0;   ///< time step of the positions
-  double kick() const { return after - before; }
-};
 
 /// Runs a scheme's passes over particles and grid. Passes over particles are only noted; when the grid or
 /// somebody else needs what they give, the whole chain of them runs on one block after the other, so that
@@ -64,6 +37,8 @@ class Executor {
 
   /// Runs what has been noted; after it particles may be looked at.
   void finish();
+  /// Sorts particles into tiles and makes of initial velocities what the transfer needs.
+  void begin();
   /// Sorts particles into tiles and finds everything that depends on their places.
   void sort();
   /// Finds that again without sorting, for particles and tiles that were restored.
@@ -108,16 +83,27 @@ class Executor {
   NodeBlock node_block(std::size_t tile, std::size_t thread);
   /// What follows once a tile's velocities are final.
   void complete(NodeBlock& block, std::size_t tile, double light_node);
+  /// What the transfer iterates on after the nodes' velocities have been updated. Velocities for gradients
+  /// of nodes of less mass are left alone.
+  void project(const Projection& projection, double light_mass);
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
+  /// Calls of(tile, thread).
   template <class Of>
-  void for_each_tile(Of&& of);
+  void for_each_tile(Of&& of) {
+    pool_.run([&](int thread) {
+      const auto t = static_cast<std::size_t>(thread);
+      for (std::size_t tile = shares_[t]; tile < shares_[t + 1]; ++tile) of(tile, t);
+    });
+  }
 
   const Model& model_;
   int axes_;  ///< of the grid
   const Kernels& kernels_;
   const MotionKernels& motion_;
+  const Transfer& transfer_kind_;
   const TransferKernels& transfer_;
+  const TransferPasses transfer_passes_;
   ThreadPool pool_;
   std::vector<BodyParticles> bodies_;
   Conditions conditions_;
@@ -130,6 +116,7 @@ class Executor {
   std::vector<std::unique_ptr<Scratch>> scratch_;   ///< by thread
   std::vector<NodeSums> collected_;                 ///< by thread or by tile
   std::vector<AlignedDoubles> windows_, stencils_;  ///< by thread
+  std::vector<std::vector<Levers>> levers_;         ///< by thread
   std::vector<std::size_t> shares_;
   std::vector<Reaction> tile_reactions_;
   std::vector<Totals> tile_totals_;

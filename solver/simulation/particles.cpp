@@ -1,11 +1,13 @@
 #include "solver/simulation/particles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "solver/loads/body_fields.h"
 #include "solver/schemes/law_state.h"
 #include "solver/schemes/schemes.h"
+#include "solver/transfers/transfer.h"
 
 namespace trajan {
 namespace {
@@ -40,6 +42,29 @@ BodyConstants constants_of(const Model& model, const Body& body) {
   return constants;
 }
 
+Attribute affine(int a, int b) {
+  return static_cast<Attribute>(static_cast<int>(Attribute::affine_xx) + 3 * a + b);
+}
+
+/// The gradient of the initial velocity, by its differences across the particle; zero where it has none.
+void fill_affine(BodyParticles& made, const Model& model, const Body& body) {
+  const int axes = grid_axes(model.dimension);
+  const std::optional<Expression>* velocity[] = {&body.velocity_x, &body.velocity_y, &body.velocity_z};
+  const Vector spacing = body.lattice.spacing;
+  const Vector along[] = {{spacing.x, 0, 0}, {0, spacing.y, 0}, {0, 0, spacing.z}};
+  const double size[] = {spacing.x, spacing.y, spacing.z};
+  body.lattice.for_each_point([&](std::int64_t number, Vector at) {
+    for (int a = 0; a < axes; ++a)
+      for (int b = 0; b < axes; ++b) {
+        const Vector half{0.5 * along[b].x, 0.5 * along[b].y, 0.5 * along[b].z};
+        const double above = value_or_zero(*velocity[a], {at.x + half.x, at.y + half.y, at.z + half.z});
+        const double below = value_or_zero(*velocity[a], {at.x - half.x, at.y - half.y, at.z - half.z});
+        const double gradient = (above - below) / size[b];
+        made[affine(a, b)][static_cast<std::size_t>(number)] = std::isfinite(gradient) ? gradient : 0;
+      }
+  });
+}
+
 void fill(BodyParticles& made, const Model& model, const Body& body) {
   const int axes = grid_axes(model.dimension);
   const std::optional<Expression>* velocity[] = {&body.velocity_x, &body.velocity_y, &body.velocity_z};
@@ -52,6 +77,7 @@ void fill(BodyParticles& made, const Model& model, const Body& body) {
       made.component(Attribute::velocity_x, axis)[number] = value_or_zero(*velocity[axis], at);
     }
   });
+  if (!made[Attribute::affine_xx].empty()) fill_affine(made, model, body);
   std::vector<double>& reference_volume = made[Attribute::reference_volume];
   for (std::size_t i = 0; i < reference_volume.size(); ++i)
     reference_volume[i] = body.particle_volume * made[Attribute::position_x][i];
@@ -138,6 +164,10 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   add_vector(velocity_x);
   if (total) add_vector(displacement_x);
   if (model.dimension == Dimension::axisymmetric) add({reference_volume}, "dimension axisymmetric");
+  if (find_transfer(model.numerics.transfer)->affine)
+    for (int a = 0; a < grid_axes(model.dimension); ++a)
+      for (int b = 0; b < grid_axes(model.dimension); ++b)
+        add({affine(a, b)}, "transfer " + model.numerics.transfer);
   for (Attribute a : law.attributes) add({a}, law_name);
   const bool shapes = kernels().transfer(model.numerics.shape_functions, model.dimension)->needs_deformation;
   if (shapes || records_deformation(model))

@@ -20,7 +20,7 @@ Simulation::Simulation(const Model& model, int threads)
       scheme_(*find_scheme(model.numerics.scheme)),
       executor_(model, threads),
       fields_(model, executor_) {
-  executor_.sort();
+  executor_.begin();
   follow_probes();
   totals_ = executor_.totals();
   initial_energy_ = totals_.kinetic_energy + totals_.strain_energy;

@@ -22,8 +22,9 @@ struct Places {
   std::vector<std::uint32_t> tile;  ///< by slot, index into tiles
   std::vector<std::uint8_t> cell;   ///< by slot, row by row within the tile
 
-  Places(const Grid& grid, const Layout& layout, const BodyParticles& body)
+  Places(const Grid& grid, const Tiles& grid_tiles, const BodyParticles& body)
       : tile(body.size()), cell(body.size()) {
+    const Layout& layout = grid_tiles.layout();
     const double inverse_cell = 1 / grid.cell;
     const double origin[] = {grid.origin.x, grid.origin.y, grid.origin.z};
     std::unordered_map<TileIndex, std::uint32_t, TileHash> known;
@@ -38,6 +39,7 @@ struct Places {
         at[axis] = i >> layout.tile_bits;
         cell_in_tile += (i & (layout.side - 1)) * layout.tile_stride(axis);
       }
+      at = grid_tiles.wrapped(at);
       if (slot == 0 || at != last) {
         index = known.emplace(at, static_cast<std::uint32_t>(tiles.size())).first->second;
         if (index == tiles.size()) tiles.push_back(at);
@@ -94,9 +96,10 @@ CellRange window_cell(const Layout& layout, int cell) {
 }
 
 /// Orders a body's particles by counting how many are in each cell. Appends its runs.
-void reorder(const Grid& grid, const Layout& layout, BodyParticles& body, std::uint32_t index,
+void reorder(const Grid& grid, const Tiles& tiles, BodyParticles& body, std::uint32_t index,
              std::vector<TileRun>& runs) {
-  const Places places(grid, layout, body);
+  const Layout& layout = tiles.layout();
+  const Places places(grid, tiles, body);
   std::vector<std::uint32_t> begin(places.tiles.size() * tile_nodes + 1, 0);
   for (std::size_t slot = 0; slot < body.size(); ++slot) ++begin[places.bin(slot) + 1];
   for (std::size_t bin = 1; bin < begin.size(); ++bin) begin[bin] += begin[bin - 1];
@@ -127,7 +130,7 @@ void reorder(const Grid& grid, const Layout& layout, BodyParticles& body, std::u
 void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles& tiles) {
   const Layout& layout = tiles.layout();
   std::vector<TileRun> runs;
-  for (std::uint32_t b = 0; b < bodies.size(); ++b) reorder(grid, layout, bodies[b], b, runs);
+  for (std::uint32_t b = 0; b < bodies.size(); ++b) reorder(grid, tiles, bodies[b], b, runs);
   std::sort(runs.begin(), runs.end(), [](const TileRun& a, const TileRun& b) {
     return a.tile != b.tile ? before(a.tile, b.tile) : a.body < b.body;
   });

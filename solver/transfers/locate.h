@@ -17,20 +17,27 @@ inline void locate_along(Block& block, int axis) {
   const double* x = block.component(Attribute::position_x, axis);
   const double below = 1 - 0x1p-40, lowest = block.lowest[axis], highest = block.highest[axis] + below;
   const double origin = c.origin[axis], inverse_cell = c.inverse_cell, first = block.window_first[axis];
+  const double period = c.period[axis];
   const int stride = L.window_stride(axis);
   double* place = s.place[axis].data();
   std::int64_t left = 0;
+  const auto locate_each = [&](auto in_window) __attribute__((always_inline)) {
 #pragma GCC ivdep
-  for (int i = 0; i < block.count; ++i) {
-    const double at = (x[i] - origin) * inverse_cell - first;
-    const double not_below = at > lowest ? at : lowest;
-    const double inside = not_below < highest ? not_below : highest;
-    left += inside != at;
-    const double node = inside + (L.below - 1);
-    const int base = Shape::first_node(node);
-    s.cell[i] = (axis == 0 ? 0 : s.cell[i]) + base * stride;
-    place[i] = node - base;
-  }
+    for (int i = 0; i < block.count; ++i) {
+      const double at = in_window((x[i] - origin) * inverse_cell - first);
+      const double not_below = at > lowest ? at : lowest;
+      const double inside = not_below < highest ? not_below : highest;
+      left += inside != at;
+      const double node = inside + (L.below - 1);
+      const int base = Shape::first_node(node);
+      s.cell[i] = (axis == 0 ? 0 : s.cell[i]) + base * stride;
+      place[i] = node - base;
+    }
+  };
+  if (period > 0)
+    locate_each([=](double at) { return at - period * __builtin_floor(at / period); });
+  else
+    locate_each([](double at) { return at; });
   s.trouble.left_window += left;
 }
 
@@ -93,7 +100,8 @@ inline void locate(Block& block) {
     weigh_along<Shape>(block, axis);
     if constexpr (Shape::folds) {
       const double lower = -block.window_first[axis], upper = block.sweep->faces[axis] + lower;
-      if (block.lowest[axis] - 1 <= lower || block.highest[axis] + 2 >= upper)
+      const bool faces = block.sweep->period[axis] == 0;
+      if (faces && (block.lowest[axis] - 1 <= lower || block.highest[axis] + 2 >= upper))
         fold<Shape::nodes>(block, axis, lower, upper);
     }
   }

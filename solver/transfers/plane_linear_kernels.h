@@ -24,7 +24,12 @@ inline constexpr TransferKernels plane_linear_kernels{plane_linear_layout,
                                                       nullptr,
                                                       &update_velocities<plane_linear_layout>,
                                                       &map_velocities<plane_linear_layout>,
-                                                      &load_window_plane_linear};
+                                                      &load_window_plane_linear,
+                                                      {},
+                                                      nullptr,
+                                                      nullptr,
+                                                      nullptr,
+                                                      &transfer_kernels<Linear, plane_linear_layout>};
 
 template <>
 struct TransferChoice<Linear> {

@@ -33,6 +33,17 @@ inline void kick_and_blend(Block& block) {
   }
 }
 
+/// v = u, the velocity that has been gathered.
+template <int D>
+inline void take_velocity(Block& block) {
+  for (int axis = 0; axis < D; ++axis) {
+    double* v = block.component(Attribute::velocity_x, axis);
+    const double* u = block.scratch->velocity[axis].data();
+#pragma GCC ivdep
+    for (int i = 0; i < block.count; ++i) v[i] = u[i];
+  }
+}
+
 /// Advances a vector of positions or displacements by the grid's velocity. `origin` is what it counts from,
 /// nullptr: positions themselves.
 inline void advance_along(Block& block, int axis, double* x, const double* origin) {

@@ -1,13 +1,29 @@
 #pragma once
 
+#include <type_traits>
+
+#include "solver/transfers/affine.h"
 #include "solver/transfers/gather.h"
 #include "solver/transfers/locate.h"
 #include "solver/transfers/node_updates.h"
+#include "solver/transfers/projection.h"
 #include "solver/transfers/scatter.h"
 
 /// The table of one kind of shape functions.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Levers are products like the shape functions, so that they need those to be.
+template <class Shape, Layout L, class Stencil>
+constexpr AffineKernels affine_kernels() {
+  if constexpr (std::is_same_v<Stencil, ProductStencil<Shape::nodes, L>>) {
+    using Affine = ProductStencil<Shape::nodes, L, LeverSlopes>;
+    return {&find_levers<Shape::nodes, L.dimensions>, &begin_affine<L.dimensions>, &scatter_affine<Affine, L>,
+            &gather_affine<Affine, L>, &kick_affine<Affine, L>};
+  } else {
+    return {};
+  }
+}
 
 template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L>, Stage Locate = &locate<Shape, L>>
 inline constexpr TransferKernels transfer_kernels{L,
@@ -27,7 +43,11 @@ inline constexpr TransferKernels transfer_kernels{L,
                                                   &gather_hoop<Stencil, L>,
                                                   &update_velocities<L>,
                                                   &map_velocities<L>,
-                                                  &load_window<L>};
+                                                  &load_window<L>,
+                                                  affine_kernels<Shape, L, Stencil>(),
+                                                  &gather_projected<Stencil, L>,
+                                                  &remap<Stencil, L>,
+                                                  &reduce_remainder<L>};
 
 /// Shape functions may have faster kernels of their own for some dimensions.
 template <class Shape>

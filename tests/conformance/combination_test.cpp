@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "solver/schemes/scheme.h"
+#include "solver/transfers/transfer.h"
 #include "tests/conformance/material_point.h"
 #include "tests/unit/simulation/scenes.h"
 
@@ -54,7 +55,7 @@ Choices named(std::span<const std::string_view> names, std::string Numerics::*fi
 /// All kinds of choices that registries know.
 std::vector<Choices> all_choices() {
   return {dimensions(), laws(), named(scheme_names(), &Numerics::scheme),
-          named(shape_names(), &Numerics::shape_functions)};
+          named(shape_names(), &Numerics::shape_functions), named(transfer_names(), &Numerics::transfer)};
 }
 
 Vector along_axes(Dimension dimension, double value) {

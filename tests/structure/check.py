@@ -21,14 +21,14 @@ OWNERS = {
     r"^muParser": ("solver/model/expression.cpp", "client/exact_histories.cpp"),
 }
 
-# What the solver's folders must not know of each other. Validation alone may ask which schemes there are
-# and which time step they allow.
+# What the solver's folders must not know of each other. Validation alone may ask which schemes and transfers
+# there are and which time step they allow.
 FORBIDDEN = {
     "solver/scene/": r"^solver/(?!scene/)",
     "solver/materials/": r"^solver/(?!materials/|scene/|executors/)",
     "solver/shapes/": r"^solver/(?!shapes/|scene/|executors/)",
     "solver/executors/": r"^solver/(?!executors/|scene/)",
-    "solver/model/": r"^solver/(?!model/|scene/|materials/material\.h|schemes/(scheme|time_step)\.h)",
+    "solver/model/": r"^solver/(?!model/|scene/|materials/material\.h|schemes/(scheme|time_step)\.h|transfers/transfer\.h)",
     "solver/surfaces/": r"^solver/(boundaries|loads|analyses|results|measures)/",
     "solver/boundaries/": r"^solver/(?!boundaries/|surfaces/|model/|scene/|executors/)",
     "solver/transfers/": r"^solver/(materials|boundaries|loads|model|simulation|analyses|results|measures)/",

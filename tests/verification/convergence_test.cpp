@@ -58,6 +58,12 @@ class AxialBarByShape : public testing::TestWithParam<std::tuple<std::string, st
 TEST_P(AxialBarByShape, DisplacementConvergesWithSecondOrder) {
   Scene scene = small_motion(gallery_scene(std::get<0>(GetParam())));
   scene.numerics.shape_functions = std::get<1>(GetParam());
+  if (scene.numerics.shape_functions == "bernstein") {
+    // Elements are two cells wide: the domain has room for a whole number of the coarsest ones.
+    const auto even = [](double lower, double upper) { return lower + 2 * std::ceil((upper - lower) / 2); };
+    scene.domain.upper.x = even(scene.domain.lower.x, scene.domain.upper.x);
+    scene.domain.upper.y = even(scene.domain.lower.y, scene.domain.upper.y);
+  }
   if (!accepts(scene)) GTEST_SKIP() << "this pair is refused";
   const auto table = converge(scene, "displacement_deviation", {1, 0.5, 0.25});
   EXPECT_THAT(table.order(), AllOf(Ge(1.8), Le(2.7)));

@@ -94,9 +94,8 @@ TEST(Measure, DeviationIsTheLargestDistanceInItsScale) {
 }
 
 TEST(Measure, DeviationFromWhatIsNotDefinedIsInfinite) {
-  EXPECT_EQ(measured(measure_of_work(Deviation{"1 / (t - 5)", 1}), [](double) { return 0; }).value,
-            std::numeric_limits<double>::infinity());
-  EXPECT_EQ(measured(measure_of_work(Deviation{"sqrt(abs(t - 5) - 0.01)", 1}), [](double) { return 0; }).value,
+  // At a sample that lies between the times at which validation looks at formulas.
+  EXPECT_EQ(measured(measure_of_work(Deviation{"sqrt(abs(t - 3) - 0.001)", 1}), [](double) { return 0; }).value,
             std::numeric_limits<double>::infinity());
 }
 

@@ -167,6 +167,23 @@ const std::vector<Mistake> numerics = {
      "did you mean \"TLMPM\"?"},
     {"UnknownShapeFunctions", [](Scene& s) { s.numerics.shape_functions = "cubic"; }, "numerics.shape_functions",
      "no shape function \"cubic\"", "the shape functions are: "},
+    {"UnknownTransfer", [](Scene& s) { s.numerics.transfer = "XPIK"; }, "numerics.transfer",
+     "no transfer \"XPIK\"", "did you mean \"XPIC\"?"},
+    {"OrderOfNothing", [](Scene& s) { s.numerics.transfer_order = 3; }, "numerics.transfer_order", "have an order"},
+    {"OrderZero",
+     [](Scene& s) {
+       s.numerics.transfer = "FMPM";
+       s.numerics.transfer_order = 0;
+     },
+     "numerics.transfer_order", "out of range"},
+    {"BlendOfNothing",
+     [](Scene& s) {
+       s.numerics.transfer = "XPIC";
+       s.numerics.flip_fraction = 0.9;
+     },
+     "numerics.flip_fraction", "is a blend"},
+    {"AffineByLinearFunctions", [](Scene& s) { s.numerics.transfer = "APIC"; }, "numerics.transfer",
+     "linear functions"},
     {"TooMuchFlip", [](Scene& s) { s.numerics.flip_fraction = 1.01; }, "numerics.flip_fraction", "out of range"},
     {"NoFractionOfTheStep", [](Scene& s) { s.numerics.time_step_fraction = 0; }, "numerics.time_step_fraction",
      "out of range"},

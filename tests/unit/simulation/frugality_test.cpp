@@ -7,8 +7,10 @@
 namespace trajan {
 namespace {
 
-std::vector<std::string> attributes(const std::string& scheme, const std::string& law, Dimension dimension) {
+std::vector<std::string> attributes(const std::string& scheme, const std::string& law, Dimension dimension,
+                                    const std::string& transfer = "FLIP") {
   Scene scene = test::discs(0.04);
+  scene.numerics.transfer = transfer;
   scene.numerics.scheme = scheme;
   scene.materials[0].law = law;
   scene.domain.dimension = dimension;
@@ -26,14 +28,36 @@ TEST(Attributes, AreThoseThatTheSceneNeeds) {
   EXPECT_THAT(attributes("USL", "linear_elastic", Dimension::plane_strain),
               UnorderedElementsAre("position.x", "position.y", "velocity.x", "velocity.y", "volume", "stress.xx",
                                    "stress.yy", "stress.xy", "stress.zz", "number"));
-  EXPECT_THAT(attributes("MUSL", "neo_hookean", Dimension::plane_stress),
-              UnorderedElementsAre("position.x", "position.y", "velocity.x", "velocity.y", "deformation.xx",
-                                   "deformation.xy", "deformation.yx", "deformation.yy", "deformation.zz",
-                                   "number"));
+  EXPECT_THAT(
+      attributes("MUSL", "neo_hookean", Dimension::plane_stress),
+      UnorderedElementsAre("position.x", "position.y", "velocity.x", "velocity.y", "deformation.xx",
+                           "deformation.xy", "deformation.yx", "deformation.yy", "deformation.zz", "number"));
   EXPECT_THAT(attributes("TLMPM", "neo_hookean", Dimension::plane_strain),
               UnorderedElementsAre("position.x", "position.y", "velocity.x", "velocity.y", "displacement.x",
                                    "displacement.y", "deformation.xx", "deformation.xy", "deformation.yx",
                                    "deformation.yy", "number"));
+}
+
+TEST(Attributes, OfAffineVelocitiesAreThereForAffineTransfersAlone) {
+  const std::vector<std::string> affine{"affine.xx", "affine.xy", "affine.yx", "affine.yy"};
+  for (const char* transfer : {"FLIP", "XPIC", "FMPM"})
+    EXPECT_EQ(attributes("TLMPM", "neo_hookean", Dimension::plane_strain, transfer),
+              attributes("TLMPM", "neo_hookean", Dimension::plane_strain));
+  EXPECT_THAT(attributes("TLMPM", "neo_hookean", Dimension::plane_strain, "APIC"), testing::IsSupersetOf(affine));
+}
+
+TEST(Memory, OfNodesHasTheVectorsThatTheTransferIterates) {
+  Scene scene = test::discs(0.04);
+  const auto nodes = [&](const char* transfer) {
+    scene.numerics.transfer = transfer;
+    const Model model = validate(scene);
+    const Simulation simulation(model, 1);
+    // From one tile to the next.
+    return simulation.executor().tiles().nodes(1) - simulation.executor().tiles().nodes(0);
+  };
+  EXPECT_EQ(nodes("FLIP"), tile_nodes * (1 + 2 * 3));
+  EXPECT_EQ(nodes("FMPM"), tile_nodes * (1 + 2 * 4));
+  EXPECT_EQ(nodes("XPIC"), tile_nodes * (1 + 2 * 5));
 }
 
 TEST(Memory, DoesNotDependOnTheSizeOfTheDomain) {

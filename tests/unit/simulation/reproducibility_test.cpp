@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "solver/transfers/transfer.h"
 #include "tests/unit/simulation/scenes.h"
 
 namespace trajan {
@@ -20,12 +21,26 @@ Scene busy(const std::string& scheme) {
   return scene;
 }
 
-class Reproduction : public testing::TestWithParam<std::string> {};
+/// A scheme, or a transfer in the default scheme.
+class Reproduction : public testing::TestWithParam<std::string> {
+ protected:
+  Model model() const {
+    if (!find_transfer(GetParam())) return validate(busy(GetParam()));
+    Scene scene = busy(Numerics{}.scheme);
+    scene.numerics.shape_functions = "quadratic_bspline";
+    scene.numerics.transfer = GetParam();
+    return validate(scene);
+  }
+};
 INSTANTIATE_TEST_SUITE_P(Schemes, Reproduction, testing::Values("USL", "MUSL", "TLMPM"),
+                         [](const auto& named) { return named.param; });
+INSTANTIATE_TEST_SUITE_P(Transfers, Reproduction,
+                         testing::ValuesIn(std::vector<std::string>(transfer_names().begin(),
+                                                                    transfer_names().end())),
                          [](const auto& named) { return named.param; });
 
 TEST_P(Reproduction, GivesTheSameBitsOnAnyNumberOfThreads) {
-  const Model model = validate(busy(GetParam()));
+  const Model model = this->model();
   test::Memory one;
   ASSERT_EQ(run(model, {1, 1e9, {}}, one, nullptr).end, RunEnd::finished);
   for (int threads : {2, 3}) {
@@ -37,7 +52,7 @@ TEST_P(Reproduction, GivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST_P(Reproduction, GoesOnFromAnyCheckpointWithTheSameBits) {
-  const Model model = validate(busy(GetParam()));
+  const Model model = this->model();
   test::Memory whole;
   ASSERT_EQ(run(model, {1, 0, {}}, whole, nullptr).end, RunEnd::finished);
   ASSERT_EQ(whole.checkpoints.size(), 9u);

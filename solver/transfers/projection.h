@@ -1,0 +1,38 @@
+#pragma once
+
+#include "solver/transfers/gather.h"
+#include "solver/transfers/node_updates.h"
+#include "solver/transfers/scatter.h"
+
+/// One more term of sum_j (1 - S+ S)^j v, S the mapping of the grid to the particles and S+ the one back with
+/// lumped masses (Hammerquist and Nairn 2017): a remainder r of the nodes' velocities becomes r - S+ S r.
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+template <class Stencil, Layout L>
+inline void gather_projected(Block& block) {
+  gather_vector<Stencil, L>(block, node_projected_velocity, block.scratch->velocity);
+}
+
+template <class Stencil, Layout L>
+inline void remap(Block& block) {
+  BlockArray* at_particles = block.scratch->velocity;
+  gather_vector<Stencil, L>(block, node_remainder, at_particles);
+  scatter_vector<Stencil, L>(
+      block,
+      sum_momentum, [at_particles](int a, int i) __attribute__((always_inline)) { return at_particles[a][i]; });
+}
+
+template <Layout L>
+inline void reduce_remainder(NodeBlock& block) {
+  alignas(64) double p[tile_nodes];
+  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  for (int axis = 0; axis < L.dimensions; ++axis) {
+    collect<L>(block.sums, quantity(sum_momentum, axis, L.dimensions), p);
+    double* r = block.nodes + quantity(node_remainder, axis, L.dimensions) * tile_nodes;
+    for (int i = 0; i < tile_nodes; ++i) r[i] = mass[i] > block.least_mass ? r[i] - p[i] / mass[i] : 0;
+  }
+}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan
