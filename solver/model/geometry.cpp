@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/model/overloaded.h"
 #include "solver/model/polygon.h"
 #include "solver/model/triangle_mesh.h"
 
@@ -13,11 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Box nothing = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-
-template <class... Cases>
-struct Overload : Cases... {
-  using Cases::operator()...;
-};
 
 Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -164,14 +160,14 @@ double distance_of(const Cylinder& cylinder, Vector p) {
 Box bounds(const Region& region) {
   const auto of = [](const Region& part, bool) { return bounds(part); };
   return std::visit(
-      Overload{[](std::monostate) { return nothing; }, [](const Box& box) { return box; },
-               [](const Disc& d) { return around(d.centre, d.radius, d.radius, 0); },
-               [](const Sphere& s) { return around(s.centre, s.radius, s.radius, s.radius); },
-               [](const Cylinder& c) { return bounds_of(c); }, [](const Polygon& p) { return bounds_of(p); },
-               [](const Mesh& mesh) { return mesh.surface->bounds(); },
-               [&](const Union& u) { return combine<Box>(u.regions, of, hull); },
-               [&](const Intersection& i) { return combine<Box>(i.regions, of, overlap); },
-               [&](const Difference& d) { return bounds(d.regions.front().region); }},
+      Overloaded{[](std::monostate) { return nothing; }, [](const Box& box) { return box; },
+                 [](const Disc& d) { return around(d.centre, d.radius, d.radius, 0); },
+                 [](const Sphere& s) { return around(s.centre, s.radius, s.radius, s.radius); },
+                 [](const Cylinder& c) { return bounds_of(c); }, [](const Polygon& p) { return bounds_of(p); },
+                 [](const Mesh& mesh) { return mesh.surface->bounds(); },
+                 [&](const Union& u) { return combine<Box>(u.regions, of, hull); },
+                 [&](const Intersection& i) { return combine<Box>(i.regions, of, overlap); },
+                 [&](const Difference& d) { return bounds(d.regions.front().region); }},
       region);
 }
 
@@ -180,7 +176,7 @@ Spans spans(const Region& region, double y, double z, double slack) {
   // What is taken away shrinks where the rest grows.
   const auto opposite = [&](const Region& part, bool first) { return spans(part, y, z, first ? slack : -slack); };
   return std::visit(
-      Overload{
+      Overloaded{
           [](std::monostate) { return Spans{}; }, [&](const Box& box) { return spans_of(box, y, z, slack); },
           [&](const Disc& d) { return chord(d.centre.x, (y - d.centre.y) * (y - d.centre.y), d.radius + slack); },
           [&](const Sphere& s) {
@@ -199,21 +195,21 @@ Spans spans(const Region& region, double y, double z, double slack) {
 double signed_distance(const Region& region, Vector p) {
   const auto of = [&](const Region& part, bool) { return signed_distance(part, p); };
   return std::visit(
-      Overload{[](std::monostate) { return infinity; }, [&](const Box& box) { return distance_of(box, p); },
-               [&](const Disc& d) { return std::hypot(p.x - d.centre.x, p.y - d.centre.y) - d.radius; },
-               [&](const Sphere& s) { return length(p - s.centre) - s.radius; },
-               [&](const Cylinder& c) { return distance_of(c, p); },
-               [&](const Polygon& polygon) { return distance_of(polygon, p); },
-               [&](const Mesh& mesh) { return mesh.surface->signed_distance(p); },
-               [&](const Union& u) {
-                 return combine<double>(u.regions, of, [](double a, double b) { return std::min(a, b); });
-               },
-               [&](const Intersection& i) {
-                 return combine<double>(i.regions, of, [](double a, double b) { return std::max(a, b); });
-               },
-               [&](const Difference& d) {
-                 return combine<double>(d.regions, of, [](double a, double b) { return std::max(a, -b); });
-               }},
+      Overloaded{[](std::monostate) { return infinity; }, [&](const Box& box) { return distance_of(box, p); },
+                 [&](const Disc& d) { return std::hypot(p.x - d.centre.x, p.y - d.centre.y) - d.radius; },
+                 [&](const Sphere& s) { return length(p - s.centre) - s.radius; },
+                 [&](const Cylinder& c) { return distance_of(c, p); },
+                 [&](const Polygon& polygon) { return distance_of(polygon, p); },
+                 [&](const Mesh& mesh) { return mesh.surface->signed_distance(p); },
+                 [&](const Union& u) {
+                   return combine<double>(u.regions, of, [](double a, double b) { return std::min(a, b); });
+                 },
+                 [&](const Intersection& i) {
+                   return combine<double>(i.regions, of, [](double a, double b) { return std::max(a, b); });
+                 },
+                 [&](const Difference& d) {
+                   return combine<double>(d.regions, of, [](double a, double b) { return std::max(a, -b); });
+                 }},
       region);
 }
 
@@ -222,12 +218,13 @@ double distance_from(const Region& region, Vector place) { return std::max(0.0, 
 double work_of_a_line(const Region& region) {
   const auto of = [](const Region& part, bool) { return work_of_a_line(part); };
   const auto sum = [&](const auto& set) { return combine<double>(set.regions, of, std::plus<>()); };
-  return std::visit(Overload{[](const auto&) { return 1.0; },
-                             [](const Polygon& polygon) { return static_cast<double>(polygon.corners.size()); },
-                             [](const Mesh& mesh) { return mesh.surface->work_of_a_line(); },
-                             [&](const Union& u) { return sum(u); }, [&](const Intersection& i) { return sum(i); },
-                             [&](const Difference& d) { return sum(d); }},
-                    region);
+  return std::visit(
+      Overloaded{[](const auto&) { return 1.0; },
+                 [](const Polygon& polygon) { return static_cast<double>(polygon.corners.size()); },
+                 [](const Mesh& mesh) { return mesh.surface->work_of_a_line(); },
+                 [&](const Union& u) { return sum(u); }, [&](const Intersection& i) { return sum(i); },
+                 [&](const Difference& d) { return sum(d); }},
+      region);
 }
 
 }  // namespace trajan

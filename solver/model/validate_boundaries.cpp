@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solver/model/names.h"
+#include "solver/model/overloaded.h"
 #include "solver/model/selection.h"
 #include "solver/model/surfaces.h"
 #include "solver/model/validator.h"
@@ -60,11 +61,6 @@ NodeRegion nodes_on(const Grid& grid, Edge face) {
   (is_upper(face) ? *lower : *upper) = is_upper(face) ? *upper : *lower;
   return nodes;
 }
-
-template <class... Functions>
-struct Overloaded : Functions... {
-  using Functions::operator()...;
-};
 
 }  // namespace
 
