@@ -5,3 +5,11 @@
 #ifndef TRAJAN_INSTRUCTION_SET
 #define TRAJAN_INSTRUCTION_SET baseline
 #endif
+
+/// Inlines all that a stage calls, so that its loop vectorises. With a sanitizer's checks in every line that
+/// would only take the compiler a minute per law.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TRAJAN_FLATTEN
+#else
+#define TRAJAN_FLATTEN [[gnu::flatten]]
+#endif

@@ -12,7 +12,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// F' = (1 + dt L) F
 template <Dimension D, bool RateForm>
-[[gnu::flatten]] void deform_updated(Block& block) {
+TRAJAN_FLATTEN void deform_updated(Block& block) {
   constexpr int N = grid_axes(D);
   const DeformationArrays<N, stores_rest_stretch(D, RateForm)> deformation(block);
   const GradientArrays<D> gradient{*block.scratch};
@@ -31,7 +31,7 @@ template <Dimension D, bool RateForm>
 /// F' = F + dt Fdot, which is exact; for a rate law, which sees to its volume itself, the
 /// gradient becomes L = Fdot F^-1.
 template <Dimension D, bool RateForm>
-[[gnu::flatten]] void deform_total(Block& block) {
+TRAJAN_FLATTEN void deform_total(Block& block) {
   constexpr int N = grid_axes(D);
   const DeformationArrays<N, stores_rest_stretch(D, RateForm)> deformation(block);
   const GradientArrays<D> gradient{*block.scratch};
@@ -50,7 +50,7 @@ template <Dimension D, bool RateForm>
 
 /// V sigma becomes V0 P = V sigma F^-T.
 template <Dimension D, bool RateForm>
-[[gnu::flatten]] void pull_back_force(Block& block) {
+TRAJAN_FLATTEN void pull_back_force(Block& block) {
   constexpr int N = grid_axes(D);
   const DeformationArrays<N, stores_rest_stretch(D, RateForm)> deformation(block);
   Scratch& scratch = *block.scratch;

@@ -8,7 +8,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// A finite law after its deformation gradient: what it remembers, and its stretches across plane or bar.
 template <class Law, Dimension D>
-[[gnu::flatten]] void settle(Block& block) {
+TRAJAN_FLATTEN void settle(Block& block) {
   using Stages = LawStages<Law, D>;
   constexpr int N = Stages::N;
   const typename Stages::Particles particles(block);
@@ -48,7 +48,7 @@ Tensor<grid_axes(D)> step_gradient(Scratch& scratch, double dt, int i) {
 
 /// Finds the strains across that free a step of a rate law of the stress across.
 template <class Law, Dimension D>
-[[gnu::flatten]] void solve_across(Block& block) {
+TRAJAN_FLATTEN void solve_across(Block& block) {
   using Stages = LawStages<Law, D>;
   constexpr int N = Stages::N;
   Scratch& scratch = *block.scratch;
@@ -76,7 +76,7 @@ template <class Law, Dimension D>
 
 /// Stress, volume and history of a rate law by a step.
 template <class Law, Dimension D>
-[[gnu::flatten]] void advance(Block& block) {
+TRAJAN_FLATTEN void advance(Block& block) {
   using Stages = LawStages<Law, D>;
   using State = typename Stages::State;
   constexpr int N = Stages::N;

@@ -27,7 +27,7 @@ struct LawStages {
   using Particles = LawParticles<Law, D>;
 
   /// V sigma, over the cell size but for the hoop.
-  [[gnu::flatten]] static void force(Block& block) {
+  TRAJAN_FLATTEN static void force(Block& block) {
     Scratch& scratch = *block.scratch;
     const Particles particles(block);
     const Law material = law(block);
@@ -40,7 +40,7 @@ struct LawStages {
     }
   }
 
-  [[gnu::flatten]] static void stress(const Block& block, double* const* out) {
+  TRAJAN_FLATTEN static void stress(const Block& block, double* const* out) {
     const Particles particles(block);
     const Law material = law(block);
     for (int i = 0; i < block.count; ++i) {
@@ -58,7 +58,7 @@ struct LawStages {
   }
 
   template <bool TotalLagrangian>
-  [[gnu::flatten]] static void measure(const Block& block, Totals& totals) {
+  TRAJAN_FLATTEN static void measure(const Block& block, Totals& totals) {
     const Particles particles(block);
     const Law material = law(block);
     double energy = 0, dissipated = 0, fastest = totals.squared_wave_speed;
