@@ -7,7 +7,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// Piecewise linear functions averaged over the particle's domain, along one axis: the weight of a node at the
 /// distance p - n is (H(p - n + l) - H(p - n - l)) / (2 l), H the integral of the hat function and l the half
-/// size of the particle in cells (Bardenhagen and Kober 2004, eq. 20 ff. in closed form for any l).
+/// size of the particle in cells (the integral of Bardenhagen and Kober 2004 in closed form for any l).
 template <int Nodes>
 inline void average_hats(double p, double half_size, double (&weight)[Nodes], double (&slope)[Nodes]) {
   const double factor = 0.5 / half_size;

@@ -82,7 +82,7 @@ struct ParticleEdges {
 };
 
 /// The particle's functions are the means over its corners; their gradient is that of the interpolation between
-/// the corners, averaged over the domain (Sadeghirad et al. 2011, eqs. 23 and 24).
+/// the corners, averaged over the domain (Sadeghirad et al. 2011).
 template <int D>
 inline void tabulate(Block& block, int i) {
   constexpr int quantity_size = 1 << 2 * D, corners = 1 << D;
