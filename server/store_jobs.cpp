@@ -225,7 +225,7 @@ void remove_job(Database& database, std::int64_t job) {
 v1::Job cancel(Database& database, std::int64_t number, const std::string& reason) {
   v1::Job job = get_job(database, number);
   if (job.state() != v1::QUEUED && job.state() != v1::RUNNING) return job;
-  if (!reason.empty()) append_message(database, job, "cancelled: " + reason);
+  if (!reason.empty()) append_message(database, job, "asked to cancel: " + reason);
   enter(database, job, job.state() == v1::QUEUED ? v1::CANCELLED : v1::CANCELLING);
   update(database, job);
   return job;
