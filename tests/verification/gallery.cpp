@@ -19,21 +19,23 @@ namespace {
 
 const std::filesystem::path scenes = TRAJAN_SCENES;
 
-/// Keeps histories in memory, and no snapshots.
+/// Keeps histories in memory, and shows snapshots.
 class MemoryRecorder : public Recorder {
  public:
-  MemoryRecorder(std::vector<double>& time, std::vector<double>& values) : time_(time), values_(values) {}
+  MemoryRecorder(std::vector<double>& time, std::vector<double>& values, const SnapshotObserver& observe)
+      : time_(time), values_(values), observe_(observe) {}
   void sample(std::int64_t, double time, std::span<const double> columns) override {
     time_.push_back(time);
     values_.insert(values_.end(), columns.begin(), columns.end());
   }
-  void snapshot(std::int64_t, const Snapshot&) override {}
+  void snapshot(std::int64_t, const Snapshot& snapshot) override { observe_(snapshot); }
   void checkpoint(const Checkpoint&) override {}
   std::int64_t durable_rows() const override { return static_cast<std::int64_t>(time_.size()); }
 
  private:
   std::vector<double>& time_;
   std::vector<double>& values_;
+  const SnapshotObserver& observe_;
 };
 
 }  // namespace
@@ -76,12 +78,12 @@ const MeasureValue& Outcome::measure(std::string_view name) const {
   return *found;
 }
 
-Outcome run_scene(const Scene& scene) {
+Outcome run_scene(const Scene& scene, const SnapshotObserver& observe) {
   const Model model = validate(scene);
   Outcome outcome;
   outcome.particles = model.particle_count();
   outcome.columns = history_columns(model);
-  MemoryRecorder recorder(outcome.time, outcome.values);
+  MemoryRecorder recorder(outcome.time, outcome.values, observe);
   const std::clock_t start = std::clock();
   const RunResult result = run(model, {}, recorder, [](const RunProgress&) { return false; });
   outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,8 +39,12 @@ struct Outcome {
   const MeasureValue& measure(std::string_view name) const;
 };
 
+/// Sees every snapshot of a run.
+using SnapshotObserver = std::function<void(const Snapshot&)>;
+
 /// Validates, runs on one thread and evaluates. Throws InvalidScene, or std::runtime_error if the run
 /// diverges.
-Outcome run_scene(const Scene& scene);
+Outcome run_scene(
+    const Scene& scene, const SnapshotObserver& observe = [](const Snapshot&) {});
 
 }  // namespace trajan::verification
