@@ -45,7 +45,7 @@ Scene to_scene(const v1::Scene& message) {
   scene.bodies = convert_all(message.bodies(), to_body);
   scene.boundaries = convert_all(message.boundaries(), to_boundary);
   scene.loads = convert_all(message.loads(), to_load);
-  scene.analysis = {message.analysis().end_time(), message.analysis().damping()};
+  scene.analysis = to_analysis(message.analysis());
   scene.numerics = to_numerics(message.numerics());
   scene.outputs = to_outputs(message.outputs());
   scene.measures = convert_all(message.measures(), to_measure);

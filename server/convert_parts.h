@@ -21,6 +21,7 @@ Domain to_domain(const v1::Domain& message);
 MaterialDefinition to_material(const v1::Material& message);
 BoundaryDefinition to_boundary(const v1::Boundary& message);
 LoadDefinition to_load(const v1::Load& message);
+Analysis to_analysis(const v1::Analysis& message);
 Outputs to_outputs(const v1::Outputs& message);
 MeasureDefinition to_measure(const v1::Measure& message);
 

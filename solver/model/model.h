@@ -93,6 +93,7 @@ class Model {
   std::vector<BodyLoad> body_loads;
   double end_time = 0;
   double damping = 0;
+  AnalysisKind analysis;
   Numerics numerics;  ///< names of registered schemes and shape functions
   OutputPlan outputs;
   std::vector<Measure> measures;

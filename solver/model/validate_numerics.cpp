@@ -18,13 +18,6 @@ std::vector<std::string> strings(std::span<const std::string_view> names) { retu
 
 }  // namespace
 
-void Validator::check_analysis() {
-  clock_complete_ = violations_.positive("analysis.end_time", scene_.analysis.end_time);
-  violations_.not_negative("analysis.damping", scene_.analysis.damping);
-  model_.end_time = scene_.analysis.end_time;
-  model_.damping = scene_.analysis.damping;
-}
-
 void Validator::check_numerics() {
   const Numerics& numerics = scene_.numerics;
   const auto schemes = strings(scheme_names());

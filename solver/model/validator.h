@@ -74,6 +74,13 @@ class Validator : private Checks {
   std::vector<std::size_t> loaded_bodies(const std::string& path, const BodyForce& force);
   std::optional<TimeFunction> time_function(const std::string& path, const TimeFunctionDefinition& definition);
   void check_analysis();
+  void check_kind(const ExplicitDynamics&) {}
+  void check_kind(const Relaxation&);
+  void check_kind(const QuasiStatic& analysis);
+  void check_kind(const ImplicitDynamics& analysis);
+  void check_kind(const Modal&);
+  void check_kind(const Buckling&);
+  void check_newton(const std::string& path, const Newton& newton);
   void check_numerics();
   void check_combinations();
   void check_transfer();

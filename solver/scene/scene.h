@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/scene/analysis.h"
 #include "solver/scene/boundaries.h"
 #include "solver/scene/geometry.h"
 #include "solver/scene/loads.h"
@@ -57,11 +58,6 @@ struct BodyDefinition {
   VectorExpression initial_velocity;
   SymmetricTensorExpression initial_stress = {};
   TensorExpression initial_deformation = {};
-};
-
-struct Analysis {
-  double end_time = 0;
-  double damping = 0;
 };
 
 /// Of transfers that have an order.
