@@ -60,7 +60,8 @@ class DruckerPrager {
     const T on_cone = trial.mean - beyond * (bulk * dilation_ / (mu + bulk * eta_ * dilation_));
     const T mean = smaller(on_cone, T(cutoff_));
     const T new_shear = smaller(shear, larger(cohesion_ - eta_ * mean, T(0.0)));
-    state.stress = trial.with(new_shear / choose(shear > 0, shear, T(1.0)), mean);
+    const bool slips = new_shear < shear;
+    state.stress = trial.with(choose(slips, new_shear / choose(slips, shear, T(1.0)), T(1.0)), mean);
     // The rate of plastic shear is the multiplier's, along s / (2 sqrt(J_2)).
     const T slip = (shear - new_shear) * (1 / mu);
     state.history[0] = state.history[0] + slip * (1 / std::numbers::sqrt3);

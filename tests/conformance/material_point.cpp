@@ -105,6 +105,7 @@ LawTraits traits_of(const MaterialKind& kind) { return sample_of(kind).traits; }
 MaterialPoint::MaterialPoint(const LawCase& of, const std::vector<double>& parameters, double density)
     : of_(of),
       kernels_(kernels().law(of.kind->name, of.dimension, of.total_lagrangian)),
+      response_kernels_(law_response(of.kind->name, of.dimension, of.total_lagrangian)),
       law_(kernels_->make(parameters.data(), density)),
       scratch_(std::make_shared<Scratch>()) {
   body_.density = body_.mass = density;
@@ -138,15 +139,46 @@ Block MaterialPoint::block() const {
 }
 
 void MaterialPoint::deform(const Matrix& wanted) {
-  const int axes = grid_axes(of_.dimension);
-  const Matrix next = in(of_.dimension, wanted), change = next - deformation_;
-  const Matrix g = of_.total_lagrangian ? change : product(change, inverse(deformation_));
-  for (int i = 0; i < axes; ++i)
-    for (int j = 0; j < axes; ++j) scratch_->gradient[i * axes + j][0] = g(i, j);
+  const Matrix next = in(of_.dimension, wanted), g = gradient_to(next);
+  for (int i = 0; i < axes(); ++i)
+    for (int j = 0; j < axes(); ++j) scratch_->gradient[i * axes() + j][0] = g(i, j);
   scratch_->gradient_rest[0] = g(2, 2);
   Block all = block();
   kernels_->deform(all);
   deformation_ = next;
+}
+
+Matrix MaterialPoint::gradient_to(const Matrix& next) const {
+  const Matrix change = next - deformation_;
+  return of_.total_lagrangian ? change : product(change, inverse(deformation_));
+}
+
+std::vector<double> MaterialPoint::step_to(const Matrix& next) const {
+  const Matrix g = gradient_to(in(of_.dimension, next));
+  std::vector<double> step;
+  for (int i = 0; i < axes(); ++i)
+    for (int j = 0; j < axes(); ++j) step.push_back(g(i, j));
+  if (of_.dimension == Dimension::axisymmetric) step.push_back(g(2, 2));
+  return step;
+}
+
+MaterialPoint::StepResponse MaterialPoint::respond(const std::vector<double>& step) const {
+  StepResponse r{std::vector<double>(step.size()), std::vector<double>(step.size() * step.size()), 0, 0};
+  LawResponse response{step.data(), r.force.data(), r.tangent.data()};
+  response_kernels_->respond(block(), sweep_.drift, response);
+  r.inverted = response.inverted;
+  r.unsolved = response.unsolved;
+  return r;
+}
+
+void MaterialPoint::commit(const std::vector<double>& step) {
+  Matrix g{};
+  const std::size_t n = static_cast<std::size_t>(axes());
+  for (std::size_t c = 0; c < n * n; ++c) g(static_cast<int>(c / n), static_cast<int>(c % n)) = step[c];
+  if (of_.dimension == Dimension::axisymmetric) g(2, 2) = step[n * n];
+  Block all = block();
+  response_kernels_->commit(all, sweep_.drift, step.data());
+  deformation_ = deformation_ + (of_.total_lagrangian ? g : product(g, deformation_));
 }
 
 Stress MaterialPoint::stress() const {
@@ -159,12 +191,11 @@ Stress MaterialPoint::stress() const {
 }
 
 Matrix MaterialPoint::virial() const {
-  const int axes = grid_axes(of_.dimension);
   Block all = block();
   kernels_->force(all);
   Matrix force{};
-  for (int i = 0; i < axes; ++i)
-    for (int j = 0; j < axes; ++j) force(i, j) = scratch_->force[i * axes + j][0];
+  for (int i = 0; i < axes(); ++i)
+    for (int j = 0; j < axes(); ++j) force(i, j) = scratch_->force[i * axes() + j][0];
   if (of_.dimension == Dimension::axisymmetric) force(2, 2) = scratch_->virial_rest[0];
   return of_.total_lagrangian ? product(force, transpose(deformation_)) : force;
 }

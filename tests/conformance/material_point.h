@@ -11,6 +11,7 @@
 #include "solver/materials/tensor_inverse.h"
 #include "solver/materials/tensor_products.h"
 #include "solver/schemes/kernels.h"
+#include "solver/schemes/law_response.h"
 
 namespace trajan::test {
 
@@ -51,6 +52,15 @@ class MaterialPoint {
 
   /// Brings the deformation gradient to `next` in one step, of which only what the dimension has is looked at.
   void deform(const Matrix& next);
+  /// The step to that deformation gradient, as components of its displacement gradient in their order.
+  std::vector<double> step_to(const Matrix& next) const;
+  struct StepResponse {
+    std::vector<double> force, tangent;  ///< n and n x n
+    std::int64_t inverted, unsolved;
+  };
+  StepResponse respond(const std::vector<double>& step) const;
+  void commit(const std::vector<double>& step);
+
   /// Without the stretches that the law itself finds.
   const Matrix& deformation() const { return deformation_; }
   std::int64_t inverted() const { return scratch_->trouble.inverted; }
@@ -68,9 +78,13 @@ class MaterialPoint {
 
  private:
   Block block() const;
+  int axes() const { return grid_axes(of_.dimension); }
+  /// The displacement gradient of a step with respect to the configuration of the law's case.
+  Matrix gradient_to(const Matrix& next) const;
 
   LawCase of_;
   const LawKernels* kernels_;
+  const LawResponseKernels* response_kernels_;
   std::shared_ptr<const void> law_;
   BodyConstants body_;
   SweepConstants sweep_;
