@@ -33,7 +33,7 @@ struct LawResponseKernels {
   /// Tangents are the exact derivatives of the forces, with what plasticity and damage do within the step, and
   /// with stresses across planes and bars held at zero.
   void (*respond)(const Block&, double dt, LawResponse&);
-  /// Makes the end of the step the particles' state.
+  /// Makes the end of the step the state that the law needs (LawKernels::attributes).
   void (*commit)(Block&, double dt, const double* gradient);
 };
 

@@ -48,9 +48,7 @@ class RateLawStep {
     particles.stress.set(i, end.stress);
     particles.volume[i] = end.volume_ratio * particles.reference_volume(i);
     particles.history.set(i, end.history);
-    if (!particles.deformation.diagonal[0]) return;
-    const StepKinematics<N, TotalLagrangian> motion{particles.deformation.at(i)};
-    particles.deformation.set(i, motion.end(g));
+    if constexpr (TotalLagrangian) particles.deformation.set(i, motion_.end(g));
   }
 
  private:
