@@ -8,9 +8,9 @@
 
 namespace trajan {
 
-ModelPlan plan(const Model& model) {
-  ModelPlan plan;
-  plan.particles = model.particle_count();
+namespace {
+
+void plan_explicit_steps(const Model& model, ModelPlan& plan) {
   const TimeStepLimit limit = time_step_limit(model);
   plan.time_step_limit = limit.because;
   const double largest = model.numerics.time_step.value_or(model.numerics.time_step_fraction * limit.value);
@@ -18,6 +18,28 @@ ModelPlan plan(const Model& model) {
   const double in_interval = std::max(1.0, std::ceil(interval / largest - 1e-9));
   plan.time_step = interval / in_interval;
   plan.steps = static_cast<std::int64_t>(in_interval) * model.outputs.samples;
+}
+
+/// Steps of the length that is asked for; each takes several iterations.
+void plan_implicit_steps(const Model& model, std::int64_t asked, ModelPlan& plan) {
+  const auto samples = static_cast<std::int64_t>(model.outputs.samples);
+  const std::int64_t in_interval = (asked + samples - 1) / samples;
+  plan.steps = in_interval * samples;
+  plan.time_step = model.end_time / static_cast<double>(plan.steps);
+  plan.time_step_limit = "analysis";
+}
+
+}  // namespace
+
+ModelPlan plan(const Model& model) {
+  ModelPlan plan;
+  plan.particles = model.particle_count();
+  if (const auto* statics = std::get_if<QuasiStatic>(&model.analysis))
+    plan_implicit_steps(model, statics->load_steps, plan);
+  else if (const auto* dynamics = std::get_if<ImplicitDynamics>(&model.analysis))
+    plan_implicit_steps(model, dynamics->time_steps, plan);
+  else
+    plan_explicit_steps(model, plan);
 
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];

@@ -65,6 +65,14 @@ struct Reaction {
 /// Bits of the components that are prescribed, by tile and node.
 using HeldComponents = std::vector<std::uint8_t>;
 
+/// Collects what conditions say about the displacements of a step.
+class DisplacementConstraints {
+ public:
+  virtual ~DisplacementConstraints() = default;
+  /// A component of a node's displacement.
+  virtual void prescribe(std::size_t tile, int node, int axis, double displacement) = 0;
+};
+
 class Condition {
  public:
   virtual ~Condition() = default;
@@ -78,6 +86,9 @@ class Condition {
   virtual Reaction act(std::size_t tile, const TileNodes& nodes) = 0;
   /// Makes the velocities fit that were mapped a second time.
   virtual void act_on_mapped(std::size_t tile, const TileNodes& nodes) const = 0;
+  /// What displacements between two times must be, if that is all that the condition asks for. Throws
+  /// FormulaNotFinite.
+  virtual void constrain(double, double, DisplacementConstraints&) const {}
 };
 
 }  // namespace trajan

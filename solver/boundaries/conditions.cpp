@@ -82,4 +82,13 @@ std::vector<Riders*> Conditions::riders() const {
   return riders;
 }
 
+void Conditions::constrain(const std::vector<BodyParticles>& bodies, const Tiles& tiles, double from, double to,
+                           DisplacementConstraints& of_nodes, MeanConstraints& of_means) {
+  for (const auto& condition : on_nodes_) condition->constrain(from, to, of_nodes);
+  for (const auto& condition : on_surfaces_) {
+    condition->find_nodes(bodies, tiles);
+    condition->constrain(from, to, of_means);
+  }
+}
+
 }  // namespace trajan

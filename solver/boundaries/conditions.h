@@ -34,6 +34,9 @@ class Conditions {
   void hold(std::size_t tile, double* vector) const;
   /// Moves surface points; to be called before the particles move.
   void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
+  /// What displacements between two times must be. Throws FormulaNotFinite.
+  void constrain(const std::vector<BodyParticles>& bodies, const Tiles& tiles, double from, double to,
+                 DisplacementConstraints& of_nodes, MeanConstraints& of_means);
   /// The points of the conditions on surfaces.
   std::vector<Riders*> riders() const;
 

@@ -60,4 +60,13 @@ void HingeCondition::advect(const Tiles& tiles, const std::vector<BodyParticles>
                       component(riders_.point(p).position, axis) + moved_[static_cast<std::size_t>(axis)]);
 }
 
+void HingeCondition::constrain(double from, double to, MeanConstraints& constraints) const {
+  for (int axis = 0; axis < axes_; ++axis) {
+    if (!surface_.held[static_cast<std::size_t>(axis)]) continue;
+    const std::optional<Formula>& u = surface_.displacement[static_cast<std::size_t>(axis)];
+    const double displacement = u ? (*u)({}, to) - (*u)({}, from) : 0;
+    for (const SurfaceMean& part : means_) constraints.prescribe_mean(nodes_of(part), axis, displacement);
+  }
+}
+
 }  // namespace trajan

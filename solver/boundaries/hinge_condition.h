@@ -16,6 +16,7 @@ class HingeCondition : public SurfaceCondition {
   Reaction act(Tiles& tiles, const HeldComponents& held) override;
   void act_on_mapped(Tiles& tiles, const HeldComponents& held) const override;
   void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift) override;
+  void constrain(double from, double to, MeanConstraints& constraints) const override;
 
  private:
   const HeldSurface& surface_;

@@ -141,4 +141,16 @@ void PrescribedNodes::act_on_mapped(std::size_t tile, const TileNodes& nodes) co
     nodes.mapped_velocity(entry.axis)[entry.node] = targets_[entry.target].value.after;
 }
 
+/// Of a velocity the integral by Simpson's rule.
+void PrescribedNodes::constrain(double from, double to, DisplacementConstraints& constraints) const {
+  const auto displacement = [&](const Target& target) {
+    const auto value = [&](double time) { return (*target.formula)(target.at, time); };
+    if (target.displacement) return value(to) - value(from);
+    return (to - from) / 6 * (value(from) + 4 * value(0.5 * (from + to)) + value(to));
+  };
+  for (std::size_t tile = 0; tile + 1 < first_.size(); ++tile)
+    for (const Entry& entry : entries_of(tile))
+      constraints.prescribe(tile, entry.node, entry.axis, displacement(targets_[entry.target]));
+}
+
 }  // namespace trajan

@@ -34,6 +34,7 @@ class PrescribedNodes : public Condition {
   void prepare(const Kick& kick) override;
   Reaction act(std::size_t tile, const TileNodes& nodes) override;
   void act_on_mapped(std::size_t tile, const TileNodes& nodes) const override;
+  void constrain(double from, double to, DisplacementConstraints& constraints) const override;
 
  private:
   /// A motion's component, at a node where its formula depends on place.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "solver/boundaries/condition.h"
 #include "solver/surfaces/riders.h"
@@ -21,6 +22,14 @@ struct SurfaceNode {
   double weight = 0;
 };
 
+/// Collects what conditions on surfaces say about the displacements of a step.
+class MeanConstraints {
+ public:
+  virtual ~MeanConstraints() = default;
+  /// The sum of the nodes' displacements along an axis times their weights.
+  virtual void prescribe_mean(std::span<const SurfaceNode> nodes, int axis, double displacement) = 0;
+};
+
 /// A condition on surface points, which knows the nodes around them. `act` and `act_on_mapped` are called
 /// once, after all tiles are done; what other conditions prescribe stays.
 class SurfaceCondition {
@@ -34,6 +43,9 @@ class SurfaceCondition {
   virtual Reaction act(Tiles& tiles, const HeldComponents& held) = 0;
   virtual void act_on_mapped(Tiles& tiles, const HeldComponents& held) const = 0;
   virtual void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
+  /// What displacements between two times must be, if that is all that the condition asks for; after
+  /// `find_nodes`. Throws FormulaNotFinite.
+  virtual void constrain(double, double, MeanConstraints&) const {}
 
   void bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles);
   /// Finds the nodes; to be called before `act` when the points or the particles have moved.
@@ -54,6 +66,10 @@ class SurfaceCondition {
               double kick) const;
   void push_mapped(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,
                    double impulse) const;
+
+  std::span<const SurfaceNode> nodes_of(const SurfaceMean& mean) const {
+    return {nodes_.data() + mean.begin, nodes_.data() + mean.end};
+  }
 
   int axes_;  ///< of the grid
   Riders riders_;

@@ -56,4 +56,8 @@ void Loads::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
   for (Riders& riders : riders_) riders.advect(tiles, bodies, drift);
 }
 
+void Loads::displace(const Tiles& tiles, const std::vector<BodyParticles>& bodies) {
+  for (Riders& riders : riders_) riders.displace(tiles, bodies);
+}
+
 }  // namespace trajan

@@ -23,6 +23,11 @@ class Loads {
   /// Moves the points; to be called before the particles move.
   void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
 
+  /// Moves them by displacements that the nodes hold in the place of velocities.
+  void displace(const Tiles& tiles, const std::vector<BodyParticles>& bodies);
+
+  /// What each surface load's forces are multiplied by at the present time.
+  const std::vector<double>& factors() const { return factors_; }
   /// The points of each surface load.
   std::vector<Riders>& riders() { return riders_; }
 

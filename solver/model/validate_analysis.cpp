@@ -12,6 +12,46 @@ void Validator::check_analysis() {
   std::visit([this](const auto& kind) { check_kind(kind); }, scene_.analysis.kind);
 }
 
+/// What means nothing to analyses that solve for displacements must not be asked for.
+void Validator::check_implicit_choices() {
+  const Numerics& numerics = scene_.numerics;
+  const auto refuse = [this](const std::string& path, const std::string& value, const std::string& remedy) {
+    violations_.add(path, value, "it is for explicit time steps, and this analysis has none", remedy);
+  };
+  if (numerics.scheme != Numerics{}.scheme && numerics.scheme != "TLMPM")
+    refuse("numerics.scheme", numerics.scheme, "leave it out (updated Lagrangian), or choose \"TLMPM\" (total)");
+  if (numerics.transfer != Numerics{}.transfer) refuse("numerics.transfer", numerics.transfer, "leave it out");
+  if (numerics.time_step) refuse("numerics.time_step", number_text(*numerics.time_step), "leave it out");
+  if (numerics.time_step_fraction != Numerics{}.time_step_fraction)
+    refuse("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "leave it out");
+  for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
+    const auto& condition = scene_.boundaries[i].condition;
+    const std::string path = indexed("boundaries", i) + ".";
+    const char* rigid = std::holds_alternative<RigidPlane>(condition)  ? "rigid_plane"
+                        : std::holds_alternative<RigidBall>(condition) ? "rigid_ball"
+                                                                       : nullptr;
+    if (rigid)
+      violations_.add(path + rigid, "", "contact is for explicit time steps",
+                      "hold nodes or surfaces, or choose explicit_dynamics");
+    if (std::holds_alternative<Absorbing>(condition))
+      violations_.add(path + "absorbing", "", "dashpots are for explicit time steps",
+                      "leave it out, or choose explicit_dynamics");
+  }
+}
+
+void Validator::check_statics() {
+  check_implicit_choices();
+  if (scene_.analysis.damping != 0)
+    violations_.add("analysis.damping", number_text(scene_.analysis.damping),
+                    "an equilibrium has no velocity to damp", "leave it out, or choose a dynamic analysis");
+  for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+    const VectorExpression& velocity = scene_.bodies[i].initial_velocity;
+    if (velocity.x || velocity.y || velocity.z)
+      violations_.add(indexed("bodies", i) + ".initial_velocity", "", "an equilibrium has no velocity",
+                      "leave it out, or choose a dynamic analysis");
+  }
+}
+
 void Validator::check_newton(const std::string& path, const Newton& newton) {
   violations_.within(path + ".tolerance", newton.tolerance, 1e-14, 0.1);
   violations_.within(path + ".most_iterations", newton.most_iterations, 1, 1000);
@@ -25,14 +65,18 @@ void Validator::check_newton(const std::string& path, const Newton& newton) {
 void Validator::check_kind(const QuasiStatic& analysis) {
   violations_.within("analysis.quasi_static.load_steps", analysis.load_steps, 1, 1e6);
   check_newton("analysis.quasi_static.newton", analysis.newton);
+  check_statics();
   if (analysis.arc_length)
-    violations_.within("analysis.quasi_static.arc_length.steps", analysis.arc_length->steps, 1, 1e6);
+    violations_.add("analysis.quasi_static.arc_length", "", "this solver takes steps of given load only",
+                    "leave it out");
 }
 
 void Validator::check_kind(const ImplicitDynamics& analysis) {
   const std::string path = "analysis.implicit_dynamics";
   violations_.within(path + ".time_steps", analysis.time_steps, 1, 1e9);
+  violations_.add(path, "", "this solver takes explicit time steps only", "choose explicit_dynamics");
   check_newton(path + ".newton", analysis.newton);
+  check_implicit_choices();
   if (const auto* newmark = std::get_if<Newmark>(&analysis.method)) {
     if (!(newmark->beta > 0 && newmark->beta <= 1))
       violations_.add(path + ".newmark.beta", number_text(newmark->beta), "out of range",

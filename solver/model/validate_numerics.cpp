@@ -53,6 +53,8 @@ void Validator::check_transfer() {
 }
 
 void Validator::check_time_step() {
+  const AnalysisKind& kind = model_.analysis;
+  if (!std::holds_alternative<ExplicitDynamics>(kind) && !std::holds_alternative<Relaxation>(kind)) return;
   const TimeStepLimit limit = time_step_limit(model_);
   const auto& asked = model_.numerics.time_step;
   if (asked && !(*asked <= limit.value)) {

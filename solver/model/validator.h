@@ -80,6 +80,8 @@ class Validator : private Checks {
   void check_kind(const ImplicitDynamics& analysis);
   void check_kind(const Modal&);
   void check_kind(const Buckling&);
+  void check_implicit_choices();
+  void check_statics();
   void check_newton(const std::string& path, const Newton& newton);
   void check_numerics();
   void check_combinations();

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "solver/implicit/steppers.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/simulation.h"
 
@@ -87,6 +88,7 @@ Checkpoint Simulation::save() {
   checkpoint.arrays.push_back({"surface_points", surface_points(executor_.riders())});
   checkpoint.arrays.push_back({"energies", std::vector<double>{executor_.work(), executor_.dissipated(),
                                                                initial_energy_, largest_energy_, largest_input_}});
+  if (stepper_) stepper_->save(checkpoint);
   return checkpoint;
 }
 
@@ -106,6 +108,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
   unpack(checkpoint, executor_.tiles());
   restore(array<double>(checkpoint, "surface_points"), executor_.riders());
   executor_.bind();
+  stepper_ = make_stepper(model, executor_, &checkpoint);
   const auto& energies = array<double>(checkpoint, "energies");
   executor_.restore(energies[0], energies[1]);
   initial_energy_ = energies[2];

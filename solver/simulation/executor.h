@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <span>
@@ -33,6 +34,16 @@ class Executor {
   void update_velocities(const StepTimes& times, double light_node = 0);
   /// Velocities for gradients, from momenta that were mapped a second time, or from mass and momentum.
   void map_velocities(bool with_mass = false);
+  /// @}
+
+  /// \name What implicit analyses are written with
+  /// @{
+  /// Calls of(block, its index among all blocks, its tile), each on some thread.
+  void visit(const std::function<void(Block&, std::size_t, std::size_t)>& of);
+  Loads& loads() { return loads_; }
+  Conditions& conditions() { return conditions_; }
+  ThreadPool& pool() { return pool_; }
+  void add_work(double work, double dissipated) { work_ += work, dissipated_ += dissipated; }
   /// @}
 
   /// Runs what has been noted; after it particles may be looked at.

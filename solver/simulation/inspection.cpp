@@ -33,6 +33,16 @@ Totals Executor::totals() {
   return all;
 }
 
+void Executor::visit(const std::function<void(Block&, std::size_t, std::size_t)>& of) {
+  for_each_tile([&](std::size_t index, std::size_t thread) {
+    const Tile& tile = tiles_.tiles()[index];
+    for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
+      Block block = make_block(tile, tiles_.blocks()[b], *scratch_[thread]);
+      of(block, b, index);
+    }
+  });
+}
+
 void Executor::stress(const Slot& slot, double* out) const {
   std::array<double*, 6> components;
   for (std::size_t c = 0; c < components.size(); ++c) components[c] = out + c;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/implicit/steppers.h"
 #include "solver/schemes/schemes.h"
 #include "solver/schemes/time_step.h"
 #include "solver/simulation/diverged.h"
@@ -21,6 +22,7 @@ Simulation::Simulation(const Model& model, int threads)
       executor_(model, threads),
       fields_(model, executor_) {
   executor_.begin();
+  stepper_ = make_stepper(model, executor_);
   follow_probes();
   totals_ = executor_.totals();
   initial_energy_ = totals_.kinetic_energy + totals_.strain_energy;
@@ -33,10 +35,12 @@ double Simulation::sample_time(std::int64_t sample) const {
 }
 
 double Simulation::time() const {
+  if (stepper_) return stepper_->time();
   return sample_time(sample_) + static_cast<double>(step_in_interval_) * time_step_;
 }
 
 std::int64_t Simulation::steps_left() const {
+  if (stepper_) return stepper_->steps_left();
   const std::int64_t intervals = model_.outputs.samples - sample_;
   return intervals * std::max<std::int64_t>(steps_in_interval_, 1) - step_in_interval_;
 }
@@ -54,6 +58,15 @@ void Simulation::begin_interval() {
 }
 
 bool Simulation::step() {
+  if (!(stepper_ ? stepper_->advance(sample_time(sample_ + 1), steps_++) : step_explicitly())) return false;
+  ++sample_;
+  totals_ = executor_.totals();
+  measure();
+  return true;
+}
+
+/// True: the next sample is reached.
+bool Simulation::step_explicitly() {
   if (step_in_interval_ == 0) begin_interval();
   const bool first = step_in_interval_ == 0;
   StepTimes times;
@@ -67,16 +80,13 @@ bool Simulation::step() {
   ++step_in_interval_;
   if (step_in_interval_ < steps_in_interval_) return false;
 
-  ++sample_;
   step_in_interval_ = 0;
-  times.time = sample_time(sample_);
+  times.time = sample_time(sample_ + 1);
   times.before = times.time - 0.5 * time_step_;
   times.after = times.time;
   times.drift = 0;
   times.step = steps_;
   synchronise(executor_, times);
-  totals_ = executor_.totals();
-  measure();
   return true;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "solver/recorder.h"
 #include "solver/simulation/executor.h"
 #include "solver/simulation/particle_fields.h"
+#include "solver/simulation/stepper.h"
 
 namespace trajan {
 
@@ -45,6 +47,7 @@ class Simulation {
  private:
   double sample_time(std::int64_t sample) const;
   void begin_interval();
+  bool step_explicitly();
   void measure();
   void probe();
   void follow_probes();
@@ -55,6 +58,7 @@ class Simulation {
   const Scheme& scheme_;
   Executor executor_;
   ParticleFields fields_;
+  std::unique_ptr<Stepper> stepper_;  ///< nullptr: steps are the scheme's
   std::int64_t sample_ = 0, steps_ = 0;
   std::int64_t step_in_interval_ = 0, steps_in_interval_ = 0;
   double time_step_ = 0;

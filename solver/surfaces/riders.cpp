@@ -138,6 +138,12 @@ void Riders::advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies
   for (std::size_t p = 0; p < points_.size(); ++p) advect(tiles, stencil(tiles, bodies, p), p, drift);
 }
 
+void Riders::displace(const Tiles& tiles, const std::vector<BodyParticles>& bodies) {
+  whole_motion_ = true;
+  advect(tiles, bodies, 1);
+  whole_motion_ = false;
+}
+
 void Riders::advect(const Tiles& tiles, const Stencil& s, std::size_t p, double drift) {
   const std::array<double, 8> of_carrier = weights(s.of_carrier), of_point = weights(s.of_point);
   std::array<double, 8> slope[3];
@@ -165,13 +171,13 @@ void Riders::advect(const Tiles& tiles, const Stencil& s, std::size_t p, double 
 /// is taken to second order, so that they keep their lengths as the body turns.
 void Riders::turn(const double (&gradient)[3][3], std::size_t p, double drift) {
   for (int which = 0; which < 2; ++which) {
-    double* t = tangent(p, which);
+    double* t = &state_[stride_ * p + 6 + 3 * static_cast<std::size_t>(which)];
     const Vector& rest = points_[p].tangents[static_cast<std::size_t>(which)];
     double change[3] = {}, again[3] = {};
     for (int i = 0; i < axes_; ++i)
       for (int j = 0; j < axes_; ++j)
         change[i] += drift * gradient[i][j] * (total_lagrangian_ ? component(rest, j) : t[j]);
-    for (int i = 0; i < axes_ && !total_lagrangian_; ++i)
+    for (int i = 0; i < axes_ && !total_lagrangian_ && !whole_motion_; ++i)
       for (int j = 0; j < axes_; ++j) again[i] += drift * gradient[i][j] * change[j];
     for (int i = 0; i < axes_; ++i) t[i] += change[i] + 0.5 * again[i];
   }

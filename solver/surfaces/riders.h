@@ -34,6 +34,7 @@ class Riders {
 
   /// Stencils stay with the reference positions.
   bool total_lagrangian() const { return total_lagrangian_; }
+  bool follow() const { return follow_; }
   std::size_t size() const { return points_.size(); }
   const SurfacePoint& point(std::size_t p) const { return points_[p]; }
   /// Finds the carriers after particles have been sorted.
@@ -42,6 +43,17 @@ class Riders {
   /// called before the particles move. A node that few particles just reach is fast without bound after the
   /// step's forces: the carrier hardly feels it, but a polynomial that is continued to the point would.
   void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
+  /// Moves the points by displacements that the nodes hold in the place of velocities. The gradient is that of the
+  /// whole motion, not of its rate in the middle.
+  void displace(const Tiles& tiles, const std::vector<BodyParticles>& bodies);
+  /// \name Of points that follow: what material vectors along the surface were at first and are now, and where the
+  /// point is now.
+  /// @{
+  const double* tangent(std::size_t p, int which) const {
+    return &state_[stride_ * p + 6 + 3 * static_cast<std::size_t>(which)];
+  }
+  const double* place(std::size_t p) const { return &state_[stride_ * p + 3]; }
+  /// @}
   /// Puts a coordinate of a point where it belongs (the reference position in a total Lagrangian scheme).
   void place(std::size_t p, int axis, double coordinate) {
     state_[stride_ * p + static_cast<std::size_t>(axis)] = coordinate;
@@ -58,6 +70,8 @@ class Riders {
   Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p) const;
   /// Multilinear polynomials of a cell's nodes at a place in it, in the order of their indices.
   std::array<double, 8> weights(const double (&place)[3]) const;
+  /// Their derivatives along an axis.
+  std::array<double, 8> slopes(const double (&place)[3], int axis) const;
   /// The cell's node of this index, from its first one, in a window.
   int corner(const Layout& layout, int n) const;
   /// Who owns a node of a tile's window: tile and node.
@@ -72,16 +86,12 @@ class Riders {
   std::vector<double>& state() { return state_; }
 
  private:
-  double* tangent(std::size_t p, int which) {
-    return &state_[stride_ * p + 6 + 3 * static_cast<std::size_t>(which)];
-  }
-  std::array<double, 8> slopes(const double (&place)[3], int axis) const;
   void advect(const Tiles& tiles, const Stencil& stencil, std::size_t p, double drift);
   void turn(const double (&gradient)[3][3], std::size_t p, double drift);
 
   const Model& model_;
   int axes_;  ///< of the grid
-  bool total_lagrangian_, follow_;
+  bool total_lagrangian_, follow_, whole_motion_ = false;
   std::vector<SurfacePoint> points_;
   /// By point: where stencils are evaluated; with `follow` also where it is now, and two tangents.
   std::size_t stride_;

@@ -33,6 +33,7 @@ FORBIDDEN = {
     "solver/boundaries/": r"^solver/(?!boundaries/|surfaces/|model/|scene/|executors/)",
     "solver/transfers/": r"^solver/(materials|boundaries|loads|model|simulation|analyses|results|measures)/",
     "solver/schemes/": r"^solver/(analyses|results|measures)/",
+    "solver/implicit/": r"^solver/(analyses|results|measures)/",
     "solver/analyses/": r"^solver/(results|measures)/",
     "solver/measures/": r"^solver/(?!measures/|model/|recorder\.h)",
     "solver/results/": r"^solver/(?!results/|model/|scene/|recorder\.h)",

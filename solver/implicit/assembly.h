@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <span>
+#include <vector>
+
+#include "solver/implicit/discretization.h"
+#include "solver/implicit/ghost_penalty.h"
+
+namespace trajan {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Sums over particles to nodes: matrices of unknowns() rows and columns, all with the same pattern, and vectors.
+/// Each column is summed by one thread in the order of particles, so that bits do not depend on threads.
+class Assembly {
+ public:
+  Assembly(const Discretization& on, const GhostPenalty& ghost, ThreadPool& pool);
+
+  /// The derivative of forces by displacements, from tangents of particles and the ghost penalty. In the pattern's
+  /// rows and columns of nodes other terms may be added.
+  void stiffness(const std::vector<double>& tangents, SparseMatrix& out) const;
+  /// Masses of particles between their nodes; lumped: row sums on the diagonal.
+  void mass(bool lumped, SparseMatrix& out) const;
+  /// Adds what particles' forces give to the nodes, and the ghost penalty's forces at a displacement.
+  void add_forces(const std::vector<double>& forces, std::span<const double> displacement,
+                  std::span<double> out) const;
+
+ private:
+  struct Incidence {
+    std::uint32_t element;  ///< particle or difference
+    std::uint32_t place;    ///< of the node in it
+  };
+  void find_pattern();
+  template <class Column>
+  void for_each_column(Column&& of) const;
+
+  const Discretization& on_;
+  const GhostPenalty& ghost_;
+  ThreadPool& pool_;
+  std::vector<std::size_t> first_incidence_, first_ghost_;  ///< by node
+  std::vector<Incidence> incidences_, ghosts_;
+  SparseMatrix pattern_;
+};
+
+}  // namespace trajan

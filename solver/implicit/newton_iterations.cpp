@@ -1,0 +1,73 @@
+#include "solver/implicit/newton_iterations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trajan {
+namespace {
+
+/// Of the right-hand side, where linear systems are solved by iterations.
+constexpr double linear_tolerance = 1e-10;
+constexpr int most_halvings = 5;
+constexpr int most_searches = 5;
+
+}  // namespace
+
+NewtonIterations::NewtonIterations(const Newton& options, SparseSolver& solver, StepBalance& balance)
+    : options_(options),
+      solver_(solver),
+      balance_(balance),
+      displacement_(Eigen::VectorXd::Zero(balance.constraints().expand().rows())) {
+  if (!balance.trouble().none()) failure_ = Failure::no_answer;
+}
+
+NewtonIterations::State NewtonIterations::fail(Failure why) {
+  failure_ = why;
+  return State::failed;
+}
+
+NewtonIterations::State NewtonIterations::iterate() {
+  if (failure_ != Failure::none) return State::failed;
+  const SparseMatrix& expand = balance_.constraints().expand();
+  const SparseMatrix& tangent = balance_.tangent();
+  Eigen::VectorXd residual = balance_.residual();
+  const bool first = residuals_.empty();
+  if (first) {
+    const Eigen::VectorXd prescribed = tangent * balance_.constraints().given();
+    prescribed_scale_ = prescribed.norm();
+    residual -= prescribed;
+  }
+  const SparseMatrix half = tangent * expand;
+  factors_ = solver_.factorize(SparseMatrix(expand.transpose()) * half);
+  if (!factors_.regular) return fail(Failure::singular);
+  const Eigen::VectorXd reduced = solver_.solve(expand.transpose() * residual, linear_tolerance);
+  if (!reduced.allFinite()) return fail(Failure::singular);
+  Eigen::VectorXd direction = expand * reduced;
+  if (first) direction += balance_.constraints().given();
+  if (!advance(direction, reduced)) return fail(Failure::no_answer);
+
+  const double norm = balance_.reduced_residual().norm(), scale = std::max(balance_.scale(), prescribed_scale_);
+  residuals_.push_back(scale > 0 ? norm / scale : 0);
+  if (residuals_.back() <= options_.tolerance) return State::converged;
+  return iterations() < options_.most_iterations ? State::going : fail(Failure::too_slow);
+}
+
+/// The work of what is missing along the direction should become less. If it has become more, the next length is
+/// where it vanishes on the line through its values at the ends (Crisfield 1991, section 9.2).
+bool NewtonIterations::advance(const Eigen::VectorXd& direction, const Eigen::VectorXd& reduced) {
+  const bool whole_only = residuals_.empty() && !balance_.constraints().homogeneous();
+  const double before = reduced.dot(balance_.reduced_residual());
+  double length = 1;
+  for (int halvings = 0; !balance_.evaluate(displacement_ + length * direction); length *= 0.5)
+    if (whole_only || ++halvings > most_halvings) return false;
+  for (int search = 0; search < most_searches && !whole_only; ++search) {
+    const double after = reduced.dot(balance_.reduced_residual());
+    if (std::abs(after) <= std::abs(before)) break;
+    length *= std::clamp(before / (before - after), 0.1, 0.7);
+    if (!balance_.evaluate(displacement_ + length * direction)) return false;
+  }
+  displacement_ += length * direction;
+  return true;
+}
+
+}  // namespace trajan

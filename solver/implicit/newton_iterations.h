@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/implicit/sparse_solver.h"
+#include "solver/implicit/step_balance.h"
+
+namespace trajan {
+
+/// Newton's method with consistent tangents on the balance of one step. Prescribed displacements enter the first
+/// iteration linearized, so that the body as a whole takes them up and not the cells at its boundary.
+class NewtonIterations {
+ public:
+  NewtonIterations(const Newton& options, SparseSolver& solver, StepBalance& balance);
+
+  enum class State { going, converged, failed };
+  enum class Failure { none, no_answer, singular, too_slow };
+  /// One more iteration.
+  State iterate();
+
+  const Eigen::VectorXd& displacement() const { return displacement_; }
+  int iterations() const { return static_cast<int>(residuals_.size()); }
+  /// After each iteration, as a share of the forces that balance.
+  const std::vector<double>& residuals() const { return residuals_; }
+  Failure failure() const { return failure_; }
+  const SparseSolver::Factors& factors() const { return factors_; }
+
+ private:
+  State fail(Failure why);
+  /// Goes as far along the direction as is good. False: there is no answer that way.
+  bool advance(const Eigen::VectorXd& direction, const Eigen::VectorXd& reduced);
+
+  const Newton& options_;
+  SparseSolver& solver_;
+  StepBalance& balance_;
+  Eigen::VectorXd displacement_;
+  std::vector<double> residuals_;
+  double prescribed_scale_ = 0;
+  Failure failure_ = Failure::none;
+  SparseSolver::Factors factors_;
+};
+
+}  // namespace trajan

@@ -1,0 +1,134 @@
+#include "solver/implicit/quasi_static_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/implicit/motion.h"
+#include "solver/implicit/rigid_modes.h"
+#include "solver/schemes/scheme.h"
+#include "solver/simulation/diverged.h"
+
+namespace trajan {
+namespace {
+
+/// Equations this badly conditioned make one ask whether all bodies are held.
+constexpr double suspicious_condition = 1e-10;
+constexpr const char* state_name = "load_step";
+
+}  // namespace
+
+QuasiStaticSteps::QuasiStaticSteps(const Model& model, const QuasiStatic& analysis, Executor& executor,
+                                   const Checkpoint* resume)
+    : model_(model),
+      analysis_(analysis),
+      executor_(executor),
+      total_lagrangian_(is_total_lagrangian(model.numerics.scheme)),
+      responses_(model, executor),
+      solver_(analysis.newton.linear_solver),
+      length_(model.end_time / analysis.load_steps) {
+  if (!resume) return;
+  time_ = resume->time;
+  for (const Checkpoint::Array& array : resume->arrays)
+    if (array.name == state_name) {
+      const auto& state = std::get<std::vector<double>>(array.values);
+      length_ = state[0];
+      load_steps_ = static_cast<std::int64_t>(state[1]);
+      iterations_ = static_cast<std::int64_t>(state[2]);
+    }
+}
+
+void QuasiStaticSteps::save(Checkpoint& checkpoint) const {
+  checkpoint.arrays.push_back({state_name, std::vector<double>{length_, static_cast<double>(load_steps_),
+                                                               static_cast<double>(iterations_)}});
+}
+
+std::int64_t QuasiStaticSteps::steps_left() const {
+  const double steps = std::ceil((model_.end_time - time_) / length_ - 1e-9);
+  const double each = load_steps_ > 0 ? static_cast<double>(iterations_) / static_cast<double>(load_steps_) : 4;
+  return static_cast<std::int64_t>(std::ceil(steps * each));
+}
+
+bool QuasiStaticSteps::advance(double until, std::int64_t number) {
+  number_ = number;
+  try {
+    if (!newton_) begin(until);
+    const NewtonIterations::State state = newton_->iterate();
+    refuse_free_motion();
+    if (state == NewtonIterations::State::failed) cut();
+    if (state == NewtonIterations::State::converged) accept();
+  } catch (const FormulaNotFinite& error) {
+    diverge(error.what(), "give a formula that is finite throughout the run");
+  }
+  return time_ == until;
+}
+
+/// Steps between two samples are of the same length, at most that which is asked for.
+void QuasiStaticSteps::begin(double until) {
+  if (!view_) view_ = std::make_unique<GridView>(model_, executor_);
+  const double left = until - time_, steps = std::ceil(left / length_ - 1e-9);
+  balance_.emplace(model_, executor_, *view_, responses_, time_, steps <= 1 ? until : time_ + left / steps);
+  newton_.emplace(analysis_.newton, solver_, *balance_);
+}
+
+void QuasiStaticSteps::accept() {
+  const Eigen::VectorXd& displacement = newton_->displacement();
+  executor_.add_work(balance_->work(displacement), 0);
+  move_by(displacement, time_, balance_->to(), view_->on, model_, executor_);
+  responses_.commit(view_->on, {displacement.data(), static_cast<std::size_t>(displacement.size())},
+                    balance_->length());
+  time_ = balance_->to();
+  ++load_steps_;
+  iterations_ += newton_->iterations();
+  residuals_ = newton_->residuals();
+  cuts_ = 0;
+  if (2 * newton_->iterations() <= analysis_.newton.most_iterations)
+    length_ = std::min(length_ * analysis_.newton.growth, model_.end_time / analysis_.load_steps);
+  newton_.reset();
+  balance_.reset();
+  if (total_lagrangian_) return;
+  const std::int64_t outside = outside_domain(model_, executor_);
+  if (outside >= 0)
+    throw Diverged(
+        {number_, time_, outside, "a particle left the domain",
+         "enlarge domain.lower and domain.upper (empty space costs nothing), or hold the body by a boundary"});
+  executor_.sort();
+  view_.reset();
+}
+
+void QuasiStaticSteps::cut() {
+  if (cuts_ == analysis_.newton.most_cuts) give_up();
+  ++cuts_;
+  length_ = 0.5 * balance_->length();
+  newton_.reset();
+  balance_.reset();
+}
+
+void QuasiStaticSteps::refuse_free_motion() const {
+  const SparseSolver::Factors& factors = newton_->factors();
+  if (newton_->failure() == NewtonIterations::Failure::no_answer && newton_->iterations() == 0) return;
+  if (factors.regular && factors.reciprocal_condition > suspicious_condition) return;
+  const std::string motion = find_free_motion(model_, view_->on, balance_->constraints());
+  if (!motion.empty())
+    diverge(motion + ": nothing holds it, and an equilibrium is not one place",
+            "hold it by a boundary condition, or choose a dynamic analysis");
+}
+
+void QuasiStaticSteps::give_up() const {
+  const std::string factor = std::to_string(time_ / model_.end_time);
+  using Failure = NewtonIterations::Failure;
+  if (newton_->failure() == Failure::no_answer)
+    diverge("however short the step, particles lose their positive volume beyond the load factor " + factor,
+            "take a finer grid or a material that bears such a deformation, or apply less load");
+  if (newton_->failure() == Failure::singular || !newton_->factors().positive_definite)
+    diverge("the stiffness is lost at the load factor " + factor +
+                ": there is no equilibrium beside this one, or more than one",
+            "apply less load, or trace the path by analysis.quasi_static.arc_length");
+  diverge("Newton's method finds no equilibrium beyond the load factor " + factor,
+          "allow more newton.most_iterations, or trace the path by analysis.quasi_static.arc_length");
+}
+
+void QuasiStaticSteps::diverge(const std::string& cause, const std::string& remedy) const {
+  throw Diverged({number_, time_, -1, cause, remedy});
+}
+
+}  // namespace trajan

@@ -1,0 +1,78 @@
+#include "solver/implicit/responses.h"
+
+#include <atomic>
+
+#include "solver/schemes/scheme.h"
+
+namespace trajan {
+
+Responses::Responses(const Model& model, Executor& executor) : model_(model), executor_(executor) {
+  const bool total = is_total_lagrangian(model.numerics.scheme);
+  for (const Body& body : model.bodies)
+    laws_.push_back(law_response(model.materials[body.material].kind->name, model.dimension, total));
+}
+
+/// G = sum of displacements times gradients; the hoop is the radial displacement over the radius.
+void Responses::find_gradients(const Discretization& on, std::span<const double> displacement, std::size_t first,
+                               int count) {
+  const auto axes = static_cast<std::size_t>(on.axes()), n = static_cast<std::size_t>(on.components());
+  for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
+    const Discretization::Particle particle = on.particle(p);
+    double* gradient = &gradients_[p * n];
+    std::fill(gradient, gradient + n, 0.0);
+    for (std::size_t k = 0; k < particle.nodes.size(); ++k) {
+      const double* u = &displacement[particle.nodes[k] * axes];
+      const double* slope = particle.gradients + k * axes;
+      for (std::size_t i = 0; i < axes; ++i)
+        for (std::size_t j = 0; j < axes; ++j) gradient[i * axes + j] += u[i] * slope[j];
+      if (on.axisymmetric()) gradient[axes * axes] += u[0] * particle.weights[k] * particle.inverse_radius;
+    }
+  }
+}
+
+Responses::Trouble Responses::evaluate(const Discretization& on, std::span<const double> displacement, double dt,
+                                       bool with_tangents) {
+  const auto n = static_cast<std::size_t>(on.components());
+  gradients_.resize(on.particles() * n);
+  forces_.resize(on.particles() * n);
+  if (with_tangents) tangents_.resize(on.particles() * n * n);
+  std::atomic<std::int64_t> inverted = 0, unsolved = 0;
+  executor_.visit([&](Block& block, std::size_t b, std::size_t) {
+    const std::size_t first = on.first_particle(b);
+    find_gradients(on, displacement, first, block.count);
+    LawResponse response;
+    response.gradient = &gradients_[first * n];
+    response.force = &forces_[first * n];
+    response.tangent = with_tangents ? &tangents_[first * n * n] : nullptr;
+    laws_[executor_.tiles().blocks()[b].body]->respond(block, dt, response);
+    inverted += response.inverted;
+    unsolved += response.unsolved;
+  });
+  return {inverted, unsolved};
+}
+
+void Responses::commit(const Discretization& on, std::span<const double> displacement, double dt) {
+  const auto n = static_cast<std::size_t>(on.components()), grid = n - (on.axisymmetric() ? 1 : 0);
+  gradients_.resize(on.particles() * n);
+  executor_.visit([&](Block& block, std::size_t b, std::size_t) {
+    const std::size_t first = on.first_particle(b);
+    find_gradients(on, displacement, first, block.count);
+    const std::uint16_t body = executor_.tiles().blocks()[b].body;
+    laws_[body]->commit(block, dt, &gradients_[first * n]);
+    const LawKernels& law = *executor_.bodies()[body].law;
+    if (law.track == nullptr || block[Attribute::deformation_xx] == nullptr) return;
+    // The law does without a deformation gradient, somebody else does not: it follows "velocities" for a unit
+    // time.
+    SweepConstants unit = *block.sweep;
+    unit.drift = 1;
+    block.sweep = &unit;
+    for (int i = 0; i < block.count; ++i) {
+      const double* gradient = &gradients_[(first + static_cast<std::size_t>(i)) * n];
+      for (std::size_t c = 0; c < grid; ++c) block.scratch->gradient[c][i] = gradient[c];
+      if (on.axisymmetric()) block.scratch->gradient_rest[i] = gradient[grid];
+    }
+    law.track(block);
+  });
+}
+
+}  // namespace trajan

@@ -1,0 +1,77 @@
+#include "solver/implicit/step_balance.h"
+
+namespace trajan {
+namespace {
+
+std::span<const double> span_of(const Eigen::VectorXd& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
+}
+std::span<double> span_of(Eigen::VectorXd& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
+}
+
+}  // namespace
+
+StepBalance::StepBalance(const Model& model, Executor& executor, const GridView& view, Responses& responses,
+                         double from, double to)
+    : view_(view),
+      responses_(responses),
+      loads_(model, executor),
+      from_(from),
+      to_(to),
+      constraints_(view.on, executor, from, to) {
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(view.on.unknowns()));
+  external_before_ = external_at(from, rest);
+  evaluate(rest);
+  internal_before_ = internal_;
+}
+
+Eigen::VectorXd StepBalance::external_at(double time, const Eigen::VectorXd& displacement,
+                                         SparseMatrix* stiffness) {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
+  loads_.add(view_.on, time, span_of(displacement), span_of(forces), stiffness);
+  return forces;
+}
+
+bool StepBalance::evaluate(const Eigen::VectorXd& displacement) {
+  displacement_ = displacement;
+  trouble_ = responses_.evaluate(view_.on, span_of(displacement), length(), true);
+  if (!trouble_.none()) return false;
+  internal_.setZero(displacement.size());
+  view_.assembly.add_forces(responses_.forces(), span_of(displacement), span_of(internal_));
+  external_ = external_at(to_, displacement);
+  residual_ = inertia_.forces_share * (external_ - internal_);
+  if (inertia_.mass) residual_ -= inertia_.of_displacement * (*inertia_.mass * displacement);
+  if (inertia_.constant.size() > 0) residual_ += inertia_.constant;
+  return residual_.allFinite();
+}
+
+double StepBalance::scale() const {
+  return std::max({internal_.norm(), external_.norm(), internal_before_.norm(), external_before_.norm(),
+                   inertia_.constant.size() > 0 ? inertia_.constant.norm() : 0.0});
+}
+
+const SparseMatrix& StepBalance::tangent() {
+  view_.assembly.stiffness(responses_.tangents(), tangent_);
+  if (loads_.follow()) external_at(to_, displacement_, &tangent_);
+  if (inertia_.forces_share != 1) tangent_ *= inertia_.forces_share;
+  if (inertia_.mass)
+    for (Eigen::Index e = 0; e < tangent_.nonZeros(); ++e)
+      tangent_.valuePtr()[e] += inertia_.of_displacement * inertia_.mass->valuePtr()[e];
+  return tangent_;
+}
+
+/// By the trapezoidal rule. Reactions are what internal forces are more than external ones; elsewhere that is
+/// what the grid's renewal has left unbalanced at the beginning, and not counted.
+double StepBalance::work(const Eigen::VectorXd& displacement) const {
+  double work = 0.5 * (external_before_ + external_).dot(displacement);
+  const Eigen::VectorXd start = internal_before_ - external_before_, end = internal_ - external_;
+  std::vector<char> held(static_cast<std::size_t>(displacement.size()), 0);
+  for (const Constraints::Row& row : constraints_.rows())
+    for (const auto& [unknown, weight] : row.terms) held[unknown] = 1;
+  for (Eigen::Index u = 0; u < displacement.size(); ++u)
+    if (held[static_cast<std::size_t>(u)]) work += 0.5 * (start[u] + end[u]) * displacement[u];
+  return work;
+}
+
+}  // namespace trajan

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "solver/implicit/constraints.h"
+#include "solver/implicit/external_forces.h"
+#include "solver/implicit/responses.h"
+
+namespace trajan {
+
+/// The grid at the places where particles are at present, and what is summed on it.
+struct GridView {
+  Discretization on;
+  GhostPenalty ghost;
+  Assembly assembly;
+  GridView(const Model& model, Executor& executor)
+      : on(model, executor), ghost(model, on), assembly(on, ghost, executor.pool()) {}
+};
+
+/// Share of the forces and of the inertia in what is to vanish at the end of a step:
+/// forces_share (external - internal)(u) - inertia M u + constant.
+struct Inertia {
+  double forces_share = 1;
+  double of_displacement = 0;
+  Eigen::VectorXd constant;  ///< empty: zero
+  const SparseMatrix* mass = nullptr;
+};
+
+/// The balance of forces of one step, as a function of the displacement of the nodes since its beginning.
+class StepBalance {
+ public:
+  /// Throws FormulaNotFinite.
+  StepBalance(const Model& model, Executor& executor, const GridView& view, Responses& responses, double from,
+              double to);
+
+  /// What is missing to balance after a displacement. False: the materials have no answer.
+  bool evaluate(const Eigen::VectorXd& displacement);
+  /// Includes those of the beginning; by default there is none.
+  void set_inertia(Inertia inertia) { inertia_ = std::move(inertia); }
+
+  const Eigen::VectorXd& residual() const { return residual_; }
+  const Eigen::VectorXd& internal() const { return internal_; }
+  const Eigen::VectorXd& external() const { return external_; }
+  const Eigen::VectorXd& internal_before() const { return internal_before_; }
+  const Eigen::VectorXd& external_before() const { return external_before_; }
+  const Constraints& constraints() const { return constraints_; }
+  const Responses::Trouble& trouble() const { return trouble_; }
+  /// The residual as the free unknowns see it.
+  Eigen::VectorXd reduced_residual() const { return constraints_.expand().transpose() * residual_; }
+  /// The norm of the forces that balance.
+  double scale() const;
+  /// Minus the derivative of the residual at the last displacement, of all unknowns.
+  const SparseMatrix& tangent();
+  /// Work of external forces and of reactions over a displacement that ends in balance.
+  double work(const Eigen::VectorXd& displacement) const;
+  double to() const { return to_; }
+  double length() const { return to_ - from_; }
+
+ private:
+  Eigen::VectorXd external_at(double time, const Eigen::VectorXd& displacement, SparseMatrix* stiffness = nullptr);
+
+  const GridView& view_;
+  Responses& responses_;
+  ExternalForces loads_;
+  double from_, to_;
+  Constraints constraints_;
+  Inertia inertia_;
+  Responses::Trouble trouble_;
+  Eigen::VectorXd displacement_, residual_, internal_, external_, internal_before_, external_before_;
+  SparseMatrix tangent_;
+};
+
+}  // namespace trajan

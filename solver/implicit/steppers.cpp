@@ -1,0 +1,13 @@
+#include "solver/implicit/steppers.h"
+
+#include "solver/implicit/quasi_static_steps.h"
+
+namespace trajan {
+
+std::unique_ptr<Stepper> make_stepper(const Model& model, Executor& executor, const Checkpoint* resume) {
+  if (const auto* analysis = std::get_if<QuasiStatic>(&model.analysis))
+    return std::make_unique<QuasiStaticSteps>(model, *analysis, executor, resume);
+  return nullptr;
+}
+
+}  // namespace trajan

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "solver/recorder.h"
+
+namespace trajan {
+
+/// How time advances where it is not by a scheme's explicit steps.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// Does a piece of work towards a time, after which a run may stop. True: the time is reached. `number` counts
+  /// these pieces. Throws Diverged.
+  virtual bool advance(double until, std::int64_t number) = 0;
+  virtual double time() const = 0;
+  /// Pieces of work until the end, as far as one can tell.
+  virtual std::int64_t steps_left() const = 0;
+  /// Adds what it needs to go on from the sample that has just been reached.
+  virtual void save(Checkpoint& checkpoint) const = 0;
+};
+
+}  // namespace trajan
