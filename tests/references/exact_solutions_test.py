@@ -9,6 +9,7 @@ import hanging_bar
 import radial
 import sliding_block
 import sphere_collision
+import taylor_bar
 import wave_transmission
 from scene_text import constant
 
@@ -54,6 +55,8 @@ class RadialSymmetry(unittest.TestCase):
             ("thick_cylinder", "outer_slope"): "cylinder_outer_slope",
             ("compressed_cylinder", "lateral_stretch"): "compressed_lateral_stretch",
             ("compressed_cylinder", "axial_stress"): "compressed_axial_stress",
+            ("hollow_sphere", "mean"): "sphere_mean_displacement",
+            ("hollow_sphere_solid", "mean"): "sphere_mean_displacement",
         }
         for (scene, name), key in stated.items():
             # The last digit printed.
@@ -120,6 +123,26 @@ class SphereCollision(unittest.TestCase):
 
     def test_waves_cross_the_spheres_several_times_during_the_contact(self):
         self.assertGreater(sphere_collision.reference()["duration_over_wave_time"], 5)
+
+
+class TaylorBar(unittest.TestCase):
+    def test_coarse_elements_come_as_near_to_the_scene_as_they_should(self):
+        # Elements of a third of the radius: length and radius change by 0.1 % and 2.5 % when they are refined.
+        coarse = taylor_bar.impact(3)
+        self.assertAlmostEqual(coarse["length"] / constant("taylor_bar", "bar_length"), 1, delta=0.0015)
+        self.assertAlmostEqual(coarse["particle_radius"] / constant("taylor_bar", "particle_radius"), 1, delta=0.03)
+
+    def test_elements_have_the_bar_s_mass_and_pass_a_patch_test(self):
+        # Rounding.
+        bar = taylor_bar.Bar(3)
+        mass = taylor_bar.DENSITY * taylor_bar.RADIUS**2 / 2 * taylor_bar.LENGTH
+        self.assertAlmostEqual(bar.mass.sum() / mass, 1, delta=1e-12)
+        # Half of the yield strain without lateral stress: uniaxial stress E times strain in all points.
+        strain = taylor_bar.YIELD / taylor_bar.YOUNG / 2
+        bar.v = bar.x * (taylor_bar.POISSON, -1) * strain
+        bar.strain(1.0, *taylor_bar.geometry(bar.x, bar.elements))
+        np.testing.assert_allclose(bar.deviator[..., 1] - bar.pressure[:, None], -taylor_bar.YIELD / 2, rtol=1e-12)
+        np.testing.assert_allclose(bar.deviator[..., 0] - bar.pressure[:, None], 0, atol=1e-9)
 
 
 class ColumnCollapse(unittest.TestCase):

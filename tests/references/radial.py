@@ -42,6 +42,12 @@ def sphere_displacement(r, inner, outer, pressure, modulus, ratio):
     return factor * ((1 - 2 * ratio) * r + (1 + ratio) * outer**3 / (2 * r**2))
 
 
+def sphere_mean_displacement(inner, outer, pressure, modulus, ratio):
+    """The mean of it over the volume."""
+    displacement = lambda r: sphere_displacement(r, inner, outer, pressure, modulus, ratio)
+    return scipy.integrate.quad(lambda r: displacement(r) * r**2, inner, outer)[0] * 3 / (outer**3 - inner**3)
+
+
 def disc_displacement(r, outer, force, modulus, ratio):
     """A thin solid disc that rotates, mean over its thickness; force = rho omega^2. With Chree's terms for the
     thickness (Timoshenko & Goodier 1970, section 132) this mean stays what it is."""
@@ -122,7 +128,7 @@ def compressed_axial_stress(axial, modulus, ratio):
 MODULUS, RATIO, DENSITY = 1000.0, 0.3, 1.0
 INNER, OUTER = 1.0, 2.0
 CYLINDER_TRACTION = 150.0
-SPHERE_PRESSURE = 1.0
+SPHERE_PRESSURE = 0.1
 SHORTENED = 0.6
 
 
@@ -144,6 +150,7 @@ def reference():
         ),
         "compressed_lateral_stretch": compressed_lateral_stretch(SHORTENED, MODULUS, RATIO),
         "compressed_axial_stress": compressed_axial_stress(SHORTENED, MODULUS, RATIO),
+        "sphere_mean_displacement": sphere_mean_displacement(INNER, OUTER, SPHERE_PRESSURE, MODULUS, RATIO),
         "sphere_inner_displacement": sphere_displacement(INNER, INNER, OUTER, SPHERE_PRESSURE, MODULUS, RATIO),
         "sphere_outer_displacement": sphere_displacement(OUTER, INNER, OUTER, SPHERE_PRESSURE, MODULUS, RATIO),
     }
