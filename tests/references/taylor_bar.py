@@ -8,8 +8,8 @@ against locking. Stays as simple as that: no viscosity, no hourglass control, no
 wall. Units: mm, ms, g, N, MPa.
 
 Prints what the bar is like at the scene's end, for 2, 4 and 8 elements across (a minute). The length converges to
-21.42, the foot's radius to 7.2 (half the elements: 7.09 and 7.17), the radius of the scene's particle to 7.08 (6.97 and
-7.05); the largest strain at the foot's centre has not settled (2.98 and 3.25).
+21.42; the radius of the foot (7.09 and 7.17) and of the scene's particle (6.97 and 7.05) grow to about 7.2 and 7.1, at
+first order, because of the foot's corner; the largest strain at its centre has not settled (2.98 and 3.25).
 """
 
 import json
