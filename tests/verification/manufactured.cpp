@@ -27,8 +27,8 @@ Vector generalized_vortex(Vector reference, double time) {
 
 /// The chord of half a radian at the radius 1.
 const ManufacturedSolution solutions[] = {
-    {"axis_aligned", 0.05, axis_aligned},
-    {"generalized_vortex", 2 * std::sin(0.5), generalized_vortex},
+    {"axis_aligned", 0.05, 0.125, axis_aligned},
+    {"generalized_vortex", 2 * std::sin(0.5), 0.1, generalized_vortex},
 };
 
 double mean_error(const Snapshot& snapshot, const ManufacturedSolution& solution) {
@@ -54,9 +54,11 @@ double displacement_error(Scene scene, const ManufacturedSolution& solution) {
   return error / solution.largest_displacement;
 }
 
-Scene with_numerics(Scene scene, const std::string& scheme, const std::string& shape_functions) {
+Scene with_numerics(Scene scene, const std::string& scheme, const std::string& shape_functions,
+                    const std::string& transfer) {
   scene.numerics.scheme = scheme;
   scene.numerics.shape_functions = shape_functions;
+  scene.numerics.transfer = transfer;
   return scene;
 }
 

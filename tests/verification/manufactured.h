@@ -14,6 +14,8 @@ struct ManufacturedSolution {
   const char* scene;
   /// The largest displacement: errors are in units of it.
   double largest_displacement;
+  /// The largest cells of a study of convergence.
+  double coarsest;
   Vector (*displacement)(Vector reference, double time);
 };
 
@@ -25,7 +27,8 @@ std::span<const ManufacturedSolution> manufactured_solutions();
 /// scene's snapshots, in units of the largest displacement. Throws what run_scene throws.
 double displacement_error(Scene scene, const ManufacturedSolution& solution);
 
-/// The scene by another scheme and other shape functions.
-Scene with_numerics(Scene scene, const std::string& scheme, const std::string& shape_functions);
+/// The scene by another scheme, other shape functions and another transfer.
+Scene with_numerics(Scene scene, const std::string& scheme, const std::string& shape_functions,
+                    const std::string& transfer);
 
 }  // namespace trajan::verification

@@ -21,16 +21,19 @@ struct Expectation {
   const char* shape_functions;
   double lowest_order;
   double highest_order;
+  const char* transfer = "FLIP";
 };
 
 std::string name_of(const testing::TestParamInfo<Expectation>& info) {
-  return std::string(info.param.scheme) + "_" + info.param.shape_functions;
+  return std::string(info.param.scheme) + "_" + info.param.shape_functions + "_" + info.param.transfer;
 }
 
 double order(const ManufacturedSolution& solution, const Expectation& choice,
              const std::vector<double>& cell_sizes) {
-  const Scene scene = with_numerics(gallery_scene(solution.scene), choice.scheme, choice.shape_functions);
-  ConvergenceTable table(std::string(solution.scene) + ", " + choice.scheme + ", " + choice.shape_functions);
+  const Scene scene =
+      with_numerics(gallery_scene(solution.scene), choice.scheme, choice.shape_functions, choice.transfer);
+  ConvergenceTable table(std::string(solution.scene) + ", " + choice.scheme + ", " + choice.shape_functions +
+                         ", " + choice.transfer);
   for (const double cell_size : cell_sizes) {
     table.add(cell_size, displacement_error(with_cells(scene, cell_size), solution));
   }
