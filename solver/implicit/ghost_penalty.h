@@ -17,6 +17,8 @@ namespace trajan {
 /// where nothing is wrong.
 class GhostPenalty {
  public:
+  /// Holds nothing.
+  GhostPenalty() = default;
   GhostPenalty(const Model& model, const Discretization& on);
 
   /// A difference of the nodes first, first + 1, ... along an axis, and the stiffness that its square has.

@@ -33,6 +33,11 @@ Eigen::VectorXd StepBalance::external_at(double time, const Eigen::VectorXd& dis
   return forces;
 }
 
+void StepBalance::set_inertia(Inertia inertia) {
+  inertia_ = std::move(inertia);
+  evaluate(Eigen::VectorXd::Zero(displacement_.size()));
+}
+
 bool StepBalance::evaluate(const Eigen::VectorXd& displacement) {
   displacement_ = displacement;
   trouble_ = responses_.evaluate(view_.on, span_of(displacement), length(), true);
@@ -63,14 +68,16 @@ const SparseMatrix& StepBalance::tangent() {
 
 /// By the trapezoidal rule. Reactions are what internal forces are more than external ones; elsewhere that is
 /// what the grid's renewal has left unbalanced at the beginning, and not counted.
-double StepBalance::work(const Eigen::VectorXd& displacement) const {
+double StepBalance::work(const Eigen::VectorXd& displacement, const Eigen::VectorXd& before,
+                         const Eigen::VectorXd& after) const {
   double work = 0.5 * (external_before_ + external_).dot(displacement);
-  const Eigen::VectorXd start = internal_before_ - external_before_, end = internal_ - external_;
+  Eigen::VectorXd reaction = internal_before_ - external_before_ + internal_ - external_;
+  if (before.size() > 0) reaction += before + after;
   std::vector<char> held(static_cast<std::size_t>(displacement.size()), 0);
   for (const Constraints::Row& row : constraints_.rows())
     for (const auto& [unknown, weight] : row.terms) held[unknown] = 1;
   for (Eigen::Index u = 0; u < displacement.size(); ++u)
-    if (held[static_cast<std::size_t>(u)]) work += 0.5 * (start[u] + end[u]) * displacement[u];
+    if (held[static_cast<std::size_t>(u)]) work += 0.5 * reaction[u] * displacement[u];
   return work;
 }
 

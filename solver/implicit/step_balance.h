@@ -37,8 +37,8 @@ class StepBalance {
 
   /// What is missing to balance after a displacement. False: the materials have no answer.
   bool evaluate(const Eigen::VectorXd& displacement);
-  /// Includes those of the beginning; by default there is none.
-  void set_inertia(Inertia inertia) { inertia_ = std::move(inertia); }
+  /// By default there is none. Evaluates again, without displacement.
+  void set_inertia(Inertia inertia);
 
   const Eigen::VectorXd& residual() const { return residual_; }
   const Eigen::VectorXd& internal() const { return internal_; }
@@ -53,8 +53,10 @@ class StepBalance {
   double scale() const;
   /// Minus the derivative of the residual at the last displacement, of all unknowns.
   const SparseMatrix& tangent();
-  /// Work of external forces and of reactions over a displacement that ends in balance.
-  double work(const Eigen::VectorXd& displacement) const;
+  /// Work of external forces and of reactions over a displacement that ends in balance. `before`, `after`: what
+  /// inertia takes; empty: nothing.
+  double work(const Eigen::VectorXd& displacement, const Eigen::VectorXd& before = {},
+              const Eigen::VectorXd& after = {}) const;
   double to() const { return to_; }
   double length() const { return to_ - from_; }
 

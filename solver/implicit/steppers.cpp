@@ -1,5 +1,6 @@
 #include "solver/implicit/steppers.h"
 
+#include "solver/implicit/dynamic_steps.h"
 #include "solver/implicit/quasi_static_steps.h"
 
 namespace trajan {
@@ -7,6 +8,8 @@ namespace trajan {
 std::unique_ptr<Stepper> make_stepper(const Model& model, Executor& executor, const Checkpoint* resume) {
   if (const auto* analysis = std::get_if<QuasiStatic>(&model.analysis))
     return std::make_unique<QuasiStaticSteps>(model, *analysis, executor, resume);
+  if (const auto* analysis = std::get_if<ImplicitDynamics>(&model.analysis))
+    return std::make_unique<DynamicSteps>(model, *analysis, executor, resume);
   return nullptr;
 }
 

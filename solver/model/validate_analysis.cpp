@@ -74,7 +74,6 @@ void Validator::check_kind(const QuasiStatic& analysis) {
 void Validator::check_kind(const ImplicitDynamics& analysis) {
   const std::string path = "analysis.implicit_dynamics";
   violations_.within(path + ".time_steps", analysis.time_steps, 1, 1e9);
-  violations_.add(path, "", "this solver takes explicit time steps only", "choose explicit_dynamics");
   check_newton(path + ".newton", analysis.newton);
   check_implicit_choices();
   if (const auto* newmark = std::get_if<Newmark>(&analysis.method)) {

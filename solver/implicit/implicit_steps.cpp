@@ -1,4 +1,4 @@
-#include "solver/implicit/quasi_static_steps.h"
+#include "solver/implicit/implicit_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,42 +13,43 @@ namespace {
 
 /// Equations this badly conditioned make one ask whether all bodies are held.
 constexpr double suspicious_condition = 1e-10;
-constexpr const char* state_name = "load_step";
+constexpr const char* state_name = "step";
 
 }  // namespace
 
-QuasiStaticSteps::QuasiStaticSteps(const Model& model, const QuasiStatic& analysis, Executor& executor,
-                                   const Checkpoint* resume)
+ImplicitSteps::ImplicitSteps(const Model& model, Executor& executor, const Newton& newton, int steps,
+                             const Checkpoint* resume)
     : model_(model),
-      analysis_(analysis),
       executor_(executor),
+      options_(newton),
+      longest_(model.end_time / steps),
       total_lagrangian_(is_total_lagrangian(model.numerics.scheme)),
       responses_(model, executor),
-      solver_(analysis.newton.linear_solver),
-      length_(model.end_time / analysis.load_steps) {
+      solver_(newton.linear_solver),
+      length_(longest_) {
   if (!resume) return;
   time_ = resume->time;
   for (const Checkpoint::Array& array : resume->arrays)
     if (array.name == state_name) {
       const auto& state = std::get<std::vector<double>>(array.values);
       length_ = state[0];
-      load_steps_ = static_cast<std::int64_t>(state[1]);
+      steps_ = static_cast<std::int64_t>(state[1]);
       iterations_ = static_cast<std::int64_t>(state[2]);
     }
 }
 
-void QuasiStaticSteps::save(Checkpoint& checkpoint) const {
-  checkpoint.arrays.push_back({state_name, std::vector<double>{length_, static_cast<double>(load_steps_),
-                                                               static_cast<double>(iterations_)}});
+void ImplicitSteps::save(Checkpoint& checkpoint) const {
+  checkpoint.arrays.push_back(
+      {state_name, std::vector<double>{length_, static_cast<double>(steps_), static_cast<double>(iterations_)}});
 }
 
-std::int64_t QuasiStaticSteps::steps_left() const {
+std::int64_t ImplicitSteps::steps_left() const {
   const double steps = std::ceil((model_.end_time - time_) / length_ - 1e-9);
-  const double each = load_steps_ > 0 ? static_cast<double>(iterations_) / static_cast<double>(load_steps_) : 4;
+  const double each = steps_ > 0 ? static_cast<double>(iterations_) / static_cast<double>(steps_) : 4;
   return static_cast<std::int64_t>(std::ceil(steps * each));
 }
 
-bool QuasiStaticSteps::advance(double until, std::int64_t number) {
+bool ImplicitSteps::advance(double until, std::int64_t number) {
   number_ = number;
   try {
     if (!newton_) begin(until);
@@ -63,26 +64,31 @@ bool QuasiStaticSteps::advance(double until, std::int64_t number) {
 }
 
 /// Steps between two samples are of the same length, at most that which is asked for.
-void QuasiStaticSteps::begin(double until) {
+void ImplicitSteps::begin(double until) {
   if (!view_) view_ = std::make_unique<GridView>(model_, executor_);
   const double left = until - time_, steps = std::ceil(left / length_ - 1e-9);
   balance_.emplace(model_, executor_, *view_, responses_, time_, steps <= 1 ? until : time_ + left / steps);
-  newton_.emplace(analysis_.newton, solver_, *balance_);
+  begin_step(*balance_);
+  newton_.emplace(options_, solver_, *balance_);
 }
 
-void QuasiStaticSteps::accept() {
+void ImplicitSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& displacement) {
+  executor_.add_work(balance.work(displacement), 0);
+}
+
+void ImplicitSteps::accept() {
   const Eigen::VectorXd& displacement = newton_->displacement();
-  executor_.add_work(balance_->work(displacement), 0);
+  end_step(*balance_, displacement);
   move_by(displacement, time_, balance_->to(), view_->on, model_, executor_);
   responses_.commit(view_->on, {displacement.data(), static_cast<std::size_t>(displacement.size())},
                     balance_->length());
   time_ = balance_->to();
-  ++load_steps_;
+  ++steps_;
   iterations_ += newton_->iterations();
   residuals_ = newton_->residuals();
   cuts_ = 0;
-  if (2 * newton_->iterations() <= analysis_.newton.most_iterations)
-    length_ = std::min(length_ * analysis_.newton.growth, model_.end_time / analysis_.load_steps);
+  if (2 * newton_->iterations() <= options_.most_iterations)
+    length_ = std::min(length_ * options_.growth, longest_);
   newton_.reset();
   balance_.reset();
   if (total_lagrangian_) return;
@@ -95,15 +101,16 @@ void QuasiStaticSteps::accept() {
   view_.reset();
 }
 
-void QuasiStaticSteps::cut() {
-  if (cuts_ == analysis_.newton.most_cuts) give_up();
+void ImplicitSteps::cut() {
+  if (cuts_ == options_.most_cuts) give_up();
   ++cuts_;
   length_ = 0.5 * balance_->length();
   newton_.reset();
   balance_.reset();
 }
 
-void QuasiStaticSteps::refuse_free_motion() const {
+void ImplicitSteps::refuse_free_motion() const {
+  if (!needs_supports()) return;
   const SparseSolver::Factors& factors = newton_->factors();
   if (newton_->failure() == NewtonIterations::Failure::no_answer && newton_->iterations() == 0) return;
   if (factors.regular && factors.reciprocal_condition > suspicious_condition) return;
@@ -113,7 +120,7 @@ void QuasiStaticSteps::refuse_free_motion() const {
             "hold it by a boundary condition, or choose a dynamic analysis");
 }
 
-void QuasiStaticSteps::give_up() const {
+void ImplicitSteps::give_up() const {
   const std::string factor = std::to_string(time_ / model_.end_time);
   using Failure = NewtonIterations::Failure;
   if (newton_->failure() == Failure::no_answer)
@@ -127,7 +134,7 @@ void QuasiStaticSteps::give_up() const {
           "allow more newton.most_iterations, or trace the path by analysis.quasi_static.arc_length");
 }
 
-void QuasiStaticSteps::diverge(const std::string& cause, const std::string& remedy) const {
+void ImplicitSteps::diverge(const std::string& cause, const std::string& remedy) const {
   throw Diverged({number_, time_, -1, cause, remedy});
 }
 
