@@ -31,6 +31,8 @@ class Cantilever(unittest.TestCase):
                 with self.subTest(kind=kind, name=name):
                     stated = constant("cantilever", f"{scene_name}_{kind}")
                     self.assertAlmostEqual(stated, self.computed[f"{kind}_{name}"], delta=tolerance)
+                    if kind == "finite":
+                        self.assertEqual(constant("cantilever_static", f"{scene_name}_{kind}"), stated)
 
     def test_the_clamped_edge_lies_between_beam_theory_and_the_point_clamp(self):
         # A wholly clamped edge holds more than a point, and shear only adds to what bending gives.
