@@ -59,6 +59,8 @@ decltype(BoundaryDefinition::condition) to_condition(const v1::Boundary& message
       return to_hinge(message.hinge());
     case v1::Boundary::kAbsorbing:
       return Absorbing{to_surface(message.absorbing().surface())};
+    case v1::Boundary::kPeriodic:
+      return Periodic{to_axis(message.periodic().axis())};
     case v1::Boundary::CONDITION_NOT_SET:
       break;
   }

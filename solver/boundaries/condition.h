@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/scene/geometry.h"
+#include "solver/model/model.h"
 
 /// The seam of boundary conditions. A condition is called once per tile or once per kick, never per particle
 /// or node.
@@ -35,13 +35,18 @@ struct TileNodes {
 
 /// Where nodes are: node (i, j, k) at origin + cell * (i, j, k).
 struct GridFrame {
-  int dimensions = 2;
+  explicit GridFrame(const Model& model);
+  int dimensions;
   Vector origin;
-  double cell = 0;
+  double cell;
+  /// Cells after which the grid repeats itself along an axis; 0: it does not.
+  std::array<std::int64_t, 3> period{};
+  Vector place(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    return {origin.x + cell * static_cast<double>(i), origin.y + cell * static_cast<double>(j),
+            origin.z + cell * static_cast<double>(k)};
+  }
   Vector place(const TileNodes& tile, int node) const {
-    return {origin.x + cell * static_cast<double>(tile.index(node, 0)),
-            origin.y + cell * static_cast<double>(tile.index(node, 1)),
-            origin.z + cell * static_cast<double>(tile.index(node, 2))};
+    return place(tile.index(node, 0), tile.index(node, 1), tile.index(node, 2));
   }
 };
 

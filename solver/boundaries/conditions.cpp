@@ -6,6 +6,12 @@
 
 namespace trajan {
 
+GridFrame::GridFrame(const Model& model)
+    : dimensions(grid_axes(model.dimension)), origin(model.grid.origin), cell(model.grid.cell) {
+  for (std::size_t axis = 0; axis < period.size(); ++axis)
+    if (model.grid.periodic[axis]) period[axis] = model.grid.cells()[axis];
+}
+
 Conditions::Conditions(const Model& model) : axes_(grid_axes(model.dimension)) {
 #define TRAJAN_MAKE(Kind) Kind::make(model, on_nodes_);
   TRAJAN_FOR_EACH_NODE_CONDITION(TRAJAN_MAKE)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "solver/model/geometry.h"
+
 namespace trajan {
 namespace {
 
@@ -14,20 +16,34 @@ constexpr double tolerance = 1e-9;
 /// order in that, and rounding adds 1e-10.
 constexpr double rate_step = 1e-6;
 
-bool contains(const NodeRegion& region, const GridFrame& frame, const TileNodes& tile, int node) {
-  const std::int64_t i = tile.index(node, 0), j = tile.index(node, 1), k = tile.index(node, 2);
+bool contains(const NodeRegion& region, const GridFrame& frame, std::int64_t i, std::int64_t j, std::int64_t k) {
   if (i < region.i0 || i > region.i1 || j < region.j0 || j > region.j1 || k < region.k0 || k > region.k1)
     return false;
-  if (!region.disc) return true;
-  const Vector at = frame.place(tile, node);
-  const Vector& centre = region.disc->centre;
-  return std::hypot(at.x - centre.x, at.y - centre.y) <= region.disc->radius + tolerance * frame.cell;
+  if (!region.shape) return true;
+  const Vector at = frame.place(i, j, k);
+  const Spans row = spans(*region.shape, at.y, at.z, tolerance * frame.cell);
+  return std::ranges::any_of(row, [&](const Span& span) { return span.from <= at.x && at.x <= span.to; });
 }
 
-bool may_touch(const NodeRegion& region, const TileNodes& tile) {
+/// The first node along a periodic axis is the last one too.
+bool contains(const NodeRegion& region, const GridFrame& frame, const TileNodes& tile, int node) {
+  const std::int64_t at[] = {tile.index(node, 0), tile.index(node, 1), tile.index(node, 2)};
+  std::int64_t again[3];
+  for (int axis = 0; axis < 3; ++axis) again[axis] = at[axis] == 0 ? frame.period[axis] : 0;
+  for (std::int64_t k : {at[2], at[2] + again[2]})
+    for (std::int64_t j : {at[1], at[1] + again[1]})
+      for (std::int64_t i : {at[0], at[0] + again[0]})
+        if (contains(region, frame, i, j, k)) return true;
+  return false;
+}
+
+bool may_touch(const NodeRegion& region, const GridFrame& frame, const TileNodes& tile) {
   const std::int64_t lowest[] = {region.i0, region.j0, region.k0}, highest[] = {region.i1, region.j1, region.k1};
-  for (int axis = 0; axis < tile.dimensions; ++axis)
+  for (int axis = 0; axis < tile.dimensions; ++axis) {
+    const bool again = tile.first[axis] == 0 && frame.period[axis] > 0 && highest[axis] == frame.period[axis];
+    if (again) continue;
     if (tile.first[axis] > highest[axis] || tile.index(TileNodes::count - 1, axis) < lowest[axis]) return false;
+  }
   return true;
 }
 
@@ -70,8 +86,7 @@ void PrescribedNodes::make(const Model& model, std::vector<std::unique_ptr<Condi
     conditions.push_back(std::make_unique<PrescribedNodes>(model));
 }
 
-PrescribedNodes::PrescribedNodes(const Model& model)
-    : frame_{grid_axes(model.dimension), model.grid.origin, model.grid.cell}, velocities_(model) {
+PrescribedNodes::PrescribedNodes(const Model& model) : frame_(model), velocities_(model) {
   for (const BoundaryCondition& condition : model.conditions) {
     const auto* motion = std::get_if<PrescribedMotion>(&condition.kind);
     if (!motion) continue;
@@ -88,7 +103,7 @@ void PrescribedNodes::bind(std::span<const TileNodes> tiles, HeldComponents& hel
   entries_.clear();
   first_.assign(1, 0);
   for (std::size_t t = 0; t < tiles.size(); ++t) {
-    if (std::ranges::any_of(motions_, [&](const auto* m) { return may_touch(m->nodes, tiles[t]); }))
+    if (std::ranges::any_of(motions_, [&](const auto* m) { return may_touch(m->nodes, frame_, tiles[t]); }))
       for (int node = 0; node < TileNodes::count; ++node)
         bind_node(tiles[t], node, held[t * TileNodes::count + static_cast<std::size_t>(node)]);
     first_.push_back(static_cast<std::uint32_t>(entries_.size()));

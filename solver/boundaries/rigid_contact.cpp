@@ -25,9 +25,7 @@ void RigidContact::make(const Model& model, std::vector<std::unique_ptr<Conditio
 }
 
 RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle)
-    : obstacle_(obstacle),
-      frame_{grid_axes(model.dimension), model.grid.origin, model.grid.cell},
-      velocities_(model) {}
+    : obstacle_(obstacle), frame_(model), velocities_(model) {}
 
 void RigidContact::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
   held_ = &held;
@@ -47,11 +45,14 @@ void RigidContact::prepare(const Kick& kick) {
 }
 
 double RigidContact::distance(Vector at, Components& normal) const {
-  const Components from = {at.x - point_.x, at.y - point_.y, at.z - point_.z};
+  Components from = {at.x - point_.x, at.y - point_.y, at.z - point_.z};
   if (!obstacle_.ball) {
     normal = {obstacle_.normal.x, obstacle_.normal.y, obstacle_.normal.z};
     return dot(from, normal);
   }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (frame_.period[axis] > 0)  // of all its images the nearest
+      from[axis] = std::remainder(from[axis], frame_.cell * static_cast<double>(frame_.period[axis]));
   const double length = std::sqrt(dot(from, from));
   for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] = length > 0 ? from[axis] / length : 0;
   return length - obstacle_.radius;

@@ -60,6 +60,8 @@ class Tiles {
                std::span<const std::uint32_t> blocks_of);
 
   const Layout& layout() const { return layout_; }
+  /// Cells after which the grid repeats itself along an axis; 0: it does not.
+  int period(int axis) const { return period_[axis] * layout_.side; }
   std::span<const Tile> tiles() const { return tiles_; }
   std::span<const BlockRange> blocks() const { return blocks_; }
   int sum_quantities() const { return sum_quantities_; }

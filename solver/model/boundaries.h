@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,10 +14,11 @@
 /// Validated boundary conditions.
 namespace trajan {
 
-/// Nodes i0 <= i <= i1, j0 <= j <= j1, k0 <= k <= k1, and within the disc if there is one.
+/// Nodes i0 <= i <= i1, j0 <= j <= j1, k0 <= k <= k1, and within the shape if there is one. Along a periodic axis
+/// the last node of the grid is the first.
 struct NodeRegion {
   std::int64_t i0 = 0, i1 = -1, j0 = 0, j1 = -1, k0 = 0, k1 = -1;
-  std::optional<Disc> disc;
+  std::optional<Region> shape;
 };
 
 /// Gives components of the velocity of nodes, or of the displacement that it is the rate of. Later ones win.

@@ -28,6 +28,9 @@ struct Grid {
   std::int64_t cells_x = 0;
   std::int64_t cells_y = 0;
   std::int64_t cells_z = 0;
+  std::array<bool, 3> periodic{};  ///< axes along which the last nodes are the first ones
+
+  std::array<std::int64_t, 3> cells() const { return {cells_x, cells_y, cells_z}; }
 };
 
 struct Material {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/model/geometry.h"
 #include "solver/model/names.h"
 #include "solver/model/overloaded.h"
 #include "solver/model/selection.h"
@@ -14,14 +15,8 @@ namespace {
 /// The nodes within a region to a tolerance in cells, clipped to the grid.
 NodeRegion nodes_in(const Grid& grid, const Region& region, double tolerance) {
   NodeRegion nodes;
-  Box box;
-  if (const Disc* disc = std::get_if<Disc>(&region)) {
-    nodes.disc = Disc{disc->centre, disc->radius + tolerance * grid.cell};
-    box = {{disc->centre.x - disc->radius, disc->centre.y - disc->radius},
-           {disc->centre.x + disc->radius, disc->centre.y + disc->radius}};
-  } else {
-    box = std::get<Box>(region);
-  }
+  const Box box = bounds(region);
+  if (!std::holds_alternative<Box>(region)) nodes.shape = region;
   const auto first = [&](double coordinate, double origin, std::int64_t cells) {
     const double index = std::ceil((coordinate - origin) / grid.cell - tolerance);
     return static_cast<std::int64_t>(std::clamp(index, 0.0, static_cast<double>(cells + 1)));
@@ -39,18 +34,17 @@ NodeRegion nodes_in(const Grid& grid, const Region& region, double tolerance) {
   return nodes;
 }
 
-/// A disc catches a node if it catches the one that is nearest to its centre.
-bool is_empty(const Grid& grid, const NodeRegion& nodes) {
-  if (nodes.i0 > nodes.i1 || nodes.j0 > nodes.j1 || nodes.k0 > nodes.k1) return true;
-  if (!nodes.disc) return false;
-  const auto nearest = [&](double coordinate, double origin, std::int64_t cells) {
-    const double index =
-        std::clamp(std::round((coordinate - origin) / grid.cell), 0.0, static_cast<double>(cells));
-    return origin + index * grid.cell;
-  };
-  const Vector node = {nearest(nodes.disc->centre.x, grid.origin.x, grid.cells_x),
-                       nearest(nodes.disc->centre.y, grid.origin.y, grid.cells_y)};
-  return distance_from(*nodes.disc, node) > 0;
+/// Whether a row along x has a node in the region.
+bool has_node(const Grid& grid, const NodeRegion& nodes, std::int64_t j, std::int64_t k, double tolerance) {
+  const double y = grid.origin.y + static_cast<double>(j) * grid.cell;
+  const double z = grid.origin.z + static_cast<double>(k) * grid.cell;
+  for (const Span& span : spans(*nodes.shape, y, z, tolerance * grid.cell)) {
+    const double first =
+        std::max(static_cast<double>(nodes.i0), std::ceil((span.from - grid.origin.x) / grid.cell));
+    const double last = std::min(static_cast<double>(nodes.i1), std::floor((span.to - grid.origin.x) / grid.cell));
+    if (first <= last) return true;
+  }
+  return false;
 }
 
 /// The nodes of a face of the domain's box.
@@ -65,6 +59,7 @@ NodeRegion nodes_on(const Grid& grid, Edge face) {
 }  // namespace
 
 void Validator::check_boundaries() {
+  check_periods();
   if (model_.dimension == Dimension::axisymmetric && grid_complete_ && model_.grid.origin.x == 0) {
     // Nothing crosses the axis.
     PrescribedMotion axis;
@@ -111,7 +106,8 @@ void Validator::check_boundary(const std::string& path, const BoundaryDefinition
       [&](const Absorbing& absorbing) {
         refuse_nodes(path, definition, "absorbing");
         add(definition, check_absorbing(path + ".absorbing", absorbing));
-      }};
+      },
+      [&](const Periodic&) { refuse_nodes(path, definition, "periodic"); }};
   std::visit(check, definition.condition);
 }
 
@@ -136,19 +132,38 @@ bool Validator::check_face(const std::string& path, Edge face) {
 }
 
 NodeRegion Validator::check_nodes(const std::string& path, const BoundaryDefinition& definition) {
-  if (const Edge* face = std::get_if<Edge>(&definition.nodes))
-    return check_face(path + ".face", *face) && grid_complete_ ? nodes_on(model_.grid, *face) : NodeRegion{};
+  if (const Edge* face = std::get_if<Edge>(&definition.nodes)) {
+    if (!check_face(path + ".face", *face) || !grid_complete_) return {};
+    check_solid_face(path + ".face", *face);
+    return nodes_on(model_.grid, *face);
+  }
   const Region* given = std::get_if<Region>(&definition.nodes);
   if (!check_region(path + ".nodes", given ? *given : Region{}, false) || !grid_complete_) return {};
-  if (!std::holds_alternative<Box>(*given) && !std::holds_alternative<Disc>(*given)) {
-    violations_.add(path + ".nodes", "", "not a region that nodes are chosen by", "give a box or a disc");
-    return {};
-  }
   const NodeRegion nodes = nodes_in(model_.grid, *given, node_tolerance);
-  if (is_empty(model_.grid, nodes))
+  if (is_empty(path + ".nodes", nodes))
     violations_.add(path + ".nodes", "", "the region catches no node of the grid",
                     "enlarge the region; nodes lie at domain.lower + cell_size * (i, j, k)");
   return nodes;
+}
+
+/// Rows are looked at until one has a node, the middle one first.
+bool Validator::is_empty(const std::string& path, const NodeRegion& nodes) {
+  if (nodes.i0 > nodes.i1 || nodes.j0 > nodes.j1 || nodes.k0 > nodes.k1) return true;
+  if (!nodes.shape) return false;
+  const double work = work_of_a_line(*nodes.shape);
+  const auto has = [&](std::int64_t j, std::int64_t k) {
+    counting_ += work;
+    return has_node(model_.grid, nodes, j, k, node_tolerance);
+  };
+  if (has((nodes.j0 + nodes.j1) / 2, (nodes.k0 + nodes.k1) / 2)) return false;
+  for (std::int64_t k = nodes.k0; k <= nodes.k1; ++k)
+    for (std::int64_t j = nodes.j0; j <= nodes.j1; ++j) {
+      if (has(j, k)) return false;
+      if (counting_ <= most_counting) continue;
+      violations_.add(path, "", "it takes too long to find its nodes", "give a simpler region or larger cells");
+      return false;
+    }
+  return true;
 }
 
 bool Validator::check_axis(const std::string& path, Axis axis) {
@@ -211,6 +226,7 @@ PrescribedMotion Validator::check_roller(const std::string& path, const Boundary
 PrescribedMotion Validator::check_symmetry(const std::string& path, const Symmetry& symmetry) {
   PrescribedMotion motion;
   if (!check_face(path + ".face", symmetry.face) || !grid_complete_) return motion;
+  check_solid_face(path + ".face", symmetry.face);
   motion.nodes = nodes_on(model_.grid, symmetry.face);
   motion.components[static_cast<std::size_t>(normal_axis(symmetry.face))] = zero();
   return motion;

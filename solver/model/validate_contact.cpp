@@ -27,6 +27,13 @@ RigidObstacle Validator::check_plane(const std::string& path, const RigidPlane& 
   if (point && normal && !(length > 0 && std::isfinite(length)))
     violations_.add(path + ".normal", point_text(plane.normal, axes()), "has no direction",
                     "give the direction out of the rigid half-space, for example { y: 1 }");
+  const double components[] = {plane.normal.x, plane.normal.y, plane.normal.z};
+  for (int axis = 0; axis < axes(); ++axis)
+    if (is_periodic(axis) && components[axis] != 0)
+      violations_.add(path + ".normal." + axis_names[static_cast<std::size_t>(axis)],
+                      number_text(components[axis]),
+                      "the domain repeats itself along this axis and has no half-space across it",
+                      "give 0, or leave out the periodic condition");
   obstacle.point = plane.point;
   obstacle.normal = {plane.normal.x / length, plane.normal.y / length, plane.normal.z / length};
   return obstacle;

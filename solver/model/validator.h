@@ -39,11 +39,18 @@ class Validator : private Checks {
   std::string box_text(const Box& box) const;
   void check_boundaries();
   void check_boundary(const std::string& path, const BoundaryDefinition& definition);
+  /// Says which axes are periodic before other conditions are looked at.
+  void check_periods();
+  void check_period(const std::string& path, Axis axis);
+  bool is_periodic(int axis) const { return model_.grid.periodic[static_cast<std::size_t>(axis)]; }
+  bool is_empty(const std::string& path, const NodeRegion& nodes);
   template <class Kind>
   void add(const BoundaryDefinition& definition, Kind kind);
   NodeRegion check_nodes(const std::string& path, const BoundaryDefinition& definition);
   void refuse_nodes(const std::string& path, const BoundaryDefinition& definition, const std::string& condition);
   bool check_face(const std::string& path, Edge face);
+  /// Where the domain repeats itself there is no face.
+  void check_solid_face(const std::string& path, Edge face);
   bool check_axis(const std::string& path, Axis axis);
   std::array<bool, 3> check_axes(const std::string& path, const std::vector<Axis>& given);
   PrescribedMotion check_fixed(const std::string& path, const BoundaryDefinition& definition, const Fixed& fixed);

@@ -63,12 +63,16 @@ struct Absorbing {
   Surface surface;
 };
 
+struct Periodic {
+  Axis axis = Axis::unspecified;
+};
+
 /// `nodes`: those in a region or on a face of the domain; only conditions on nodes have it.
 struct BoundaryDefinition {
   std::string name;
   std::variant<std::monostate, Region, Edge> nodes;
   std::variant<std::monostate, Fixed, PrescribedVelocity, PrescribedDisplacement, Roller, Symmetry, RigidPlane,
-               RigidBall, Hinge, Absorbing>
+               RigidBall, Hinge, Absorbing, Periodic>
       condition;
 };
 

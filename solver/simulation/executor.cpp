@@ -13,6 +13,13 @@ const TransferKernels& choose(const Transfer& transfer, const TransferKernels& k
   return transfer.general && kernels.general ? *kernels.general : kernels;
 }
 
+TileIndex period_in_tiles(const Grid& grid, const Layout& layout) {
+  TileIndex period{};
+  for (std::size_t axis = 0; axis < period.size(); ++axis)
+    if (grid.periodic[axis]) period[axis] = static_cast<std::int32_t>(grid.cells()[axis] / layout.side);
+  return period;
+}
+
 std::vector<Stage> joined(std::initializer_list<std::vector<Stage>> lists) {
   std::vector<Stage> all;
   for (const std::vector<Stage>& list : lists) all.insert(all.end(), list.begin(), list.end());
@@ -46,15 +53,19 @@ Executor::Executor(const Model& model, int threads)
       conditions_(model),
       loads_(model),
       tiles_(transfer_.layout, quantities(transfer_kind_.node_vectors, axes_),
-             quantities(loads_.none() ? sum_load : sum_vectors, axes_)) {
+             quantities(loads_.none() ? sum_load : sum_vectors, axes_),
+             period_in_tiles(model.grid, transfer_.layout)) {
   sweep_.cell = model.grid.cell;
   sweep_.inverse_cell = 1 / model.grid.cell;
   const double origin[] = {model.grid.origin.x, model.grid.origin.y, model.grid.origin.z};
-  const std::int64_t cells[] = {model.grid.cells_x, model.grid.cells_y, model.grid.cells_z};
   for (int axis = 0; axis < axes_; ++axis) {
     sweep_.origin[axis] = sweep_.lower[axis] = origin[axis];
-    sweep_.faces[axis] = static_cast<double>(cells[axis]);
+    sweep_.faces[axis] = static_cast<double>(model.grid.cells()[axis]);
     sweep_.upper[axis] = origin[axis] + model.grid.cell * sweep_.faces[axis];
+    if (!model.grid.periodic[axis]) continue;
+    sweep_.period[axis] = sweep_.faces[axis];
+    sweep_.lower[axis] = -HUGE_VAL;
+    sweep_.upper[axis] = HUGE_VAL;
   }
   sweep_.flip = model.numerics.flip_fraction.value_or(1);
   lightest_particle_ = lightest_particle(bodies_);

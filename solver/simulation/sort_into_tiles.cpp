@@ -34,7 +34,8 @@ struct Places {
       TileIndex at{};
       int cell_in_tile = 0;
       for (int axis = 0; axis < layout.dimensions; ++axis) {
-        const double x = (body.component(Attribute::position_x, axis)[slot] - origin[axis]) * inverse_cell;
+        double x = (body.component(Attribute::position_x, axis)[slot] - origin[axis]) * inverse_cell;
+        if (const int period = grid_tiles.period(axis); period > 0) x -= period * std::floor(x / period);
         const auto i = static_cast<std::int32_t>(std::floor(x));
         at[axis] = i >> layout.tile_bits;
         cell_in_tile += (i & (layout.side - 1)) * layout.tile_stride(axis);

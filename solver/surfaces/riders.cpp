@@ -1,6 +1,7 @@
 #include "solver/surfaces/riders.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/particles.h"
@@ -99,9 +100,14 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
   Stencil stencil{tiles_[p], layout.corner_offset()};
   for (int axis = 0; axis < axes_; ++axis) {
     const double origin = component(model_.grid.origin, axis);
-    const double first = layout.side * static_cast<double>(tile.at[axis]) - 1;
     const double at = body.component(Attribute::position_x, axis)[carriers_[p].index];
-    const double c = (at - origin) / model_.grid.cell - first;
+    double first = layout.side * static_cast<double>(tile.at[axis]) - 1;
+    double c = (at - origin) / model_.grid.cell - first;
+    if (const int period = tiles.period(axis); period > 0) {
+      const double passed = period * std::floor((c - tile.cells.lowest[axis]) / period);
+      first += passed;
+      c -= passed;
+    }
     const int cell = static_cast<int>(c);
     stencil.of_carrier[axis] = c - cell;
     stencil.of_point[axis] =

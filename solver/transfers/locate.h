@@ -35,7 +35,7 @@ inline void locate_along(Block& block, int axis) {
     }
   };
   if (period > 0)
-    locate_each([=](double at) { return at - period * __builtin_floor(at / period); });
+    locate_each([=](double at) { return at - period * __builtin_floor((at - lowest) / period); });
   else
     locate_each([](double at) { return at; });
   s.trouble.left_window += left;

@@ -28,7 +28,7 @@ FORBIDDEN = {
     "solver/materials/": r"^solver/(?!materials/|scene/|executors/)",
     "solver/shapes/": r"^solver/(?!shapes/|scene/|executors/)",
     "solver/executors/": r"^solver/(?!executors/|scene/)",
-    "solver/model/": r"^solver/(?!model/|scene/|materials/material\.h|schemes/(scheme|time_step)\.h|transfers/transfer\.h)",
+    "solver/model/": r"^solver/(?!model/|scene/|executors/layout\.h|materials/material\.h|schemes/(scheme|time_step)\.h|transfers/transfer\.h)",
     "solver/surfaces/": r"^solver/(boundaries|loads|analyses|results|measures)/",
     "solver/boundaries/": r"^solver/(?!boundaries/|surfaces/|model/|scene/|executors/)",
     "solver/transfers/": r"^solver/(materials|boundaries|loads|model|simulation|analyses|results|measures)/",

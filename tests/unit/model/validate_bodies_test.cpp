@@ -9,6 +9,12 @@ EdgeTraction& traction(Scene& scene) { return std::get<EdgeTraction>(scene.loads
 BodyForce& gravity(Scene& scene) { return std::get<BodyForce>(scene.loads[1].kind); }
 PointForce& push(Scene& scene) { return std::get<PointForce>(scene.loads[2].kind); }
 
+/// The sample scene, periodic along x, along which it has 40 cells.
+Scene with_period(Scene scene) {
+  scene.boundaries[1] = {"ring", {}, Periodic{Axis::x}};
+  return scene;
+}
+
 TEST(ValidateBodies, MayOverlap) {
   Scene scene = sample_scene();
   scene.bodies[1].geometry = Disc{{4, 0.5}, 0.4};
@@ -200,6 +206,45 @@ const std::vector<Mistake> boundaries = {
        s.boundaries[0] = {"quiet", {}, Absorbing{pressure("ball", Disc{{4, 1.5}, 0.4}).surface}};
      },
      "boundaries[0].absorbing.surface.rim", "straight edge"},
+    {"PeriodOfNoAxis",
+     [](Scene& s) {
+       s.boundaries[1] = {"ring", {}, Periodic{}};
+     },
+     "boundaries[1].periodic.axis", "not an axis"},
+    {"PeriodOfAMissingAxis",
+     [](Scene& s) {
+       s.boundaries[1] = {"ring", {}, Periodic{Axis::z}};
+     },
+     "boundaries[1].periodic.axis", "no z axis"},
+    {"PeriodOfPartsOfTiles",
+     [](Scene& s) {
+       s.boundaries[1] = {"ring", {}, Periodic{Axis::y}};
+     },
+     "domain.upper.y", "a multiple of 8 cells", "(16 cells)"},
+    {"PeriodGivenTwice",
+     [](Scene& s) {
+       s = with_period(s);
+       s.boundaries.push_back({"again", {}, Periodic{Axis::x}});
+     },
+     "boundaries[2].periodic.axis", "already"},
+    {"PeriodWithAFace",
+     [](Scene& s) {
+       s = with_period(s);
+       s.boundaries[0].nodes = Edge::right;
+     },
+     "boundaries[0].face", "has no face"},
+    {"PeriodWithSymmetry",
+     [](Scene& s) {
+       s = with_period(s);
+       s.boundaries[0] = {"mirror", {}, Symmetry{Edge::left}};
+     },
+     "boundaries[0].symmetry.face", "has no face"},
+    {"PeriodWithAPlaneAcrossIt",
+     [](Scene& s) {
+       s = with_period(s);
+       s.boundaries[0] = {"wall", {}, RigidPlane{{0, 0}, {1, 1}, {}}};
+     },
+     "boundaries[0].rigid_plane.normal.x", "no half-space"},
     {"SameName", [](Scene& s) { s.boundaries[1].name = "clamp"; }, "boundaries[1].name", "earlier"},
 };
 

@@ -6,7 +6,7 @@ namespace {
 using ::testing::ElementsAre;
 
 TEST_F(EveryField, KeepsBoundaries) {
-  ASSERT_EQ(scene_.boundaries.size(), 11u);
+  ASSERT_EQ(scene_.boundaries.size(), 12u);
   EXPECT_EQ(scene_.boundaries[0].name, "clamp");
   expect_box(std::get<Region>(scene_.boundaries[0].nodes), 7.1, 7.2, 7.3, 7.4);
   EXPECT_THAT(std::get<Fixed>(scene_.boundaries[0].condition).axes,
@@ -54,6 +54,7 @@ TEST_F(EveryField, KeepsConditionsOnSurfaces) {
   EXPECT_EQ(std::get<Hinge>(scene_.boundaries[9].condition).kind, HingeKind::unspecified);
   const auto& quiet = std::get<Absorbing>(scene_.boundaries[10].condition);
   EXPECT_EQ(std::get<Disc>(quiet.surface.part).radius, 35.2);
+  EXPECT_EQ(std::get<Periodic>(scene_.boundaries[11].condition).axis, Axis::z);
 }
 
 TEST_F(EveryField, KeepsPressures) {
