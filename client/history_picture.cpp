@@ -31,6 +31,7 @@ std::string kind_of(const std::string& column) {
   if (column == "energies.balance_error") return "energy balance error";
   if (group == "energies") return "energy";
   if (group == "momentum") return group;
+  if (group == "reactions") return "reaction";
   std::string kind = column.substr(first + 1, first == last ? std::string::npos : last - first - 1);
   std::ranges::replace(kind, '_', ' ');
   return kind;
@@ -161,8 +162,8 @@ History select_measured(const History& history, const v1::Job& job) {
   selected.time = history.time;
   for (std::size_t i = 0; i < history.columns.size(); ++i) {
     const std::string& column = history.columns[i];
-    const bool of_probe = !column.starts_with("energies.") && !column.starts_with("momentum.");
-    if (wanted.empty() ? !of_probe : !wanted.contains(column)) continue;
+    const bool of_all = column.starts_with("energies.") || column.starts_with("momentum.");
+    if (wanted.empty() ? of_all : !wanted.contains(column)) continue;
     selected.columns.push_back(column);
     selected.values.push_back(history.values[i]);
   }

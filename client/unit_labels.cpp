@@ -33,11 +33,11 @@ UnitLabels::UnitLabels(std::string_view units) {
 }
 
 const UnitLabels::Derived* UnitLabels::derived() const {
-  static constexpr Derived known[] = {{"m", "s", "kg", "Pa", "J", "N s"},
-                                      {"mm", "s", "t", "MPa", "mJ", "N s"},
-                                      {"mm", "ms", "g", "MPa", "mJ", "mN s"},
-                                      {"mm", "ms", "kg", "GPa", "J", "N s"},
-                                      {"m", "ms", "t", "GPa", "GJ", "MN s"}};
+  static constexpr Derived known[] = {{"m", "s", "kg", "Pa", "J", "N s", "N"},
+                                      {"mm", "s", "t", "MPa", "mJ", "N s", "N"},
+                                      {"mm", "ms", "g", "MPa", "mJ", "mN s", "N"},
+                                      {"mm", "ms", "kg", "GPa", "J", "N s", "kN"},
+                                      {"m", "ms", "t", "GPa", "GJ", "MN s", "GN"}};
   for (const Derived& units : known) {
     if (units.length == length_ && units.time == time_ && units.mass == mass_) return &units;
   }
@@ -52,6 +52,9 @@ std::string UnitLabels::of_column(std::string_view column) const {
   }
   if (contains(column, "energies")) {
     return named != nullptr ? std::string(named->energy) : fmt::format("{} {}²/{}²", mass_, length_, time_);
+  }
+  if (column.starts_with("reactions.")) {
+    return named != nullptr ? std::string(named->force) : fmt::format("{} {}/{}²", mass_, length_, time_);
   }
   if (contains(column, "momentum")) {
     return named != nullptr ? std::string(named->momentum) : fmt::format("{} {}/{}", mass_, length_, time_);

@@ -20,7 +20,7 @@ class UnitLabels {
  private:
   /// What people call the units that follow from some lists of base units.
   struct Derived {
-    std::string_view length, time, mass, stress, energy, momentum;
+    std::string_view length, time, mass, stress, energy, momentum, force;
   };
   const Derived* derived() const;
 

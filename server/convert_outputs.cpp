@@ -112,6 +112,7 @@ Outputs to_outputs(const v1::Outputs& message) {
   }
   outputs.probes = convert_all(message.probes(), to_probe);
   outputs.snapshot_history = {message.snapshot_history().begin(), message.snapshot_history().end()};
+  outputs.reactions = {message.reactions().begin(), message.reactions().end()};
   return outputs;
 }
 

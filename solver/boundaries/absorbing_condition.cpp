@@ -3,13 +3,13 @@
 namespace trajan {
 
 void AbsorbingCondition::make(const Model& model, std::vector<std::unique_ptr<SurfaceCondition>>& conditions) {
-  for (const BoundaryCondition& condition : model.conditions)
-    if (const auto* surface = std::get_if<AbsorbingSurface>(&condition.kind))
-      conditions.push_back(std::make_unique<AbsorbingCondition>(model, *surface));
+  for (std::size_t i = 0; i < model.conditions.size(); ++i)
+    if (const auto* surface = std::get_if<AbsorbingSurface>(&model.conditions[i].kind))
+      conditions.push_back(std::make_unique<AbsorbingCondition>(model, *surface, i));
 }
 
-AbsorbingCondition::AbsorbingCondition(const Model& model, const AbsorbingSurface& surface)
-    : SurfaceCondition(model, surface.points, surface.normal, false), surface_(surface) {}
+AbsorbingCondition::AbsorbingCondition(const Model& model, const AbsorbingSurface& surface, std::size_t condition)
+    : SurfaceCondition(model, condition, surface.points, surface.normal, false), surface_(surface) {}
 
 Reaction AbsorbingCondition::act(Tiles& tiles, const HeldComponents& held) {
   Reaction reaction;
@@ -22,7 +22,9 @@ Reaction AbsorbingCondition::act(Tiles& tiles, const HeldComponents& held) {
       const double dashpot = kick_ * impedance * part.area;
       const double middle = after.velocity - 0.5 * kick_ * rate.velocity;
       const double impulse = -dashpot * middle / (1 + 0.5 * dashpot * after.inverse_mass);
-      reaction.dissipated -= impulse * push(tiles, held, part, axis, impulse, kick_);
+      const Pushed pushed = push(tiles, held, part, axis, impulse, kick_);
+      reaction.dissipated -= pushed.work;
+      reaction.impulse[static_cast<std::size_t>(axis)] += pushed.impulse;
     }
   }
   return reaction;

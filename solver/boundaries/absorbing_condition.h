@@ -9,7 +9,7 @@ namespace trajan {
 class AbsorbingCondition : public SurfaceCondition {
  public:
   static void make(const Model& model, std::vector<std::unique_ptr<SurfaceCondition>>& conditions);
-  AbsorbingCondition(const Model& model, const AbsorbingSurface& surface);
+  AbsorbingCondition(const Model& model, const AbsorbingSurface& surface, std::size_t condition);
   bool works() const override { return true; }
   void prepare(const Kick& kick) override { kick_ = kick.length(); }
   Reaction act(Tiles& tiles, const HeldComponents& held) override;

@@ -57,12 +57,15 @@ struct Kick {
   double length() const { return after - before; }
 };
 
-/// Energy that reactions bring in by work, and that they consume.
+/// What the forces of a condition do in a kick: the energy that they bring in by work, that they consume, and
+/// their impulse on the bodies.
 struct Reaction {
   double work = 0, dissipated = 0;
+  std::array<double, 3> impulse{};
   Reaction& operator+=(const Reaction& other) {
     work += other.work;
     dissipated += other.dissipated;
+    for (std::size_t axis = 0; axis < impulse.size(); ++axis) impulse[axis] += other.impulse[axis];
     return *this;
   }
 };
@@ -87,8 +90,9 @@ class Condition {
   virtual void bind(std::span<const TileNodes> tiles, HeldComponents& held) = 0;
   /// Prepares for a kick. Throws FormulaNotFinite.
   virtual void prepare(const Kick& kick) = 0;
-  /// Changes accelerations and velocities after the kick of a tile's nodes, each as if the other were.
-  virtual Reaction act(std::size_t tile, const TileNodes& nodes) = 0;
+  /// Changes accelerations and velocities after the kick of a tile's nodes, each as if the other were. Adds to
+  /// the reactions, which are those of all conditions in the order of the model.
+  virtual void act(std::size_t tile, const TileNodes& nodes, std::span<Reaction> reactions) = 0;
   /// Makes the velocities fit that were mapped a second time.
   virtual void act_on_mapped(std::size_t tile, const TileNodes& nodes) const = 0;
   /// What displacements between two times must be, if that is all that the condition asks for. Throws

@@ -12,7 +12,7 @@ GridFrame::GridFrame(const Model& model)
     if (model.grid.periodic[axis]) period[axis] = model.grid.cells()[axis];
 }
 
-Conditions::Conditions(const Model& model) : axes_(grid_axes(model.dimension)) {
+Conditions::Conditions(const Model& model) : axes_(grid_axes(model.dimension)), count_(model.conditions.size()) {
 #define TRAJAN_MAKE(Kind) Kind::make(model, on_nodes_);
   TRAJAN_FOR_EACH_NODE_CONDITION(TRAJAN_MAKE)
 #undef TRAJAN_MAKE
@@ -44,23 +44,20 @@ void Conditions::prepare(const Kick& kick) {
   for (auto& condition : on_surfaces_) condition->prepare(kick);
 }
 
-Reaction Conditions::act(std::size_t tile) {
-  Reaction reaction;
-  for (auto& condition : on_nodes_) reaction += condition->act(tile, tiles_[tile]);
-  return reaction;
+void Conditions::act(std::size_t tile, std::span<Reaction> reactions) {
+  for (auto& condition : on_nodes_) condition->act(tile, tiles_[tile], reactions);
 }
 
 void Conditions::act_on_mapped(std::size_t tile) const {
   for (const auto& condition : on_nodes_) condition->act_on_mapped(tile, tiles_[tile]);
 }
 
-Reaction Conditions::act_on_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles) {
-  Reaction reaction;
+void Conditions::act_on_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles,
+                                 std::span<Reaction> reactions) {
   for (auto& condition : on_surfaces_) {
     condition->find_nodes(bodies, tiles);
-    reaction += condition->act(tiles, held_);
+    reactions[condition->condition()] += condition->act(tiles, held_);
   }
-  return reaction;
 }
 
 void Conditions::act_on_mapped_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles, bool moved) {

@@ -21,12 +21,14 @@ class Conditions {
   void bind(const std::vector<BodyParticles>& bodies, Tiles& tiles);
   /// Throws FormulaNotFinite.
   void prepare(const Kick& kick);
-  /// Changes accelerations and velocities of a tile's nodes after a kick.
-  Reaction act(std::size_t tile);
+  /// How many there are, and so reactions; in the order of the model.
+  std::size_t count() const { return count_; }
+  /// Changes accelerations and velocities of a tile's nodes after a kick. Adds to the reactions.
+  void act(std::size_t tile, std::span<Reaction> reactions);
   /// Makes the velocities fit that were mapped a second time.
   void act_on_mapped(std::size_t tile) const;
   /// What conditions on surfaces do, on all tiles.
-  Reaction act_on_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles);
+  void act_on_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles, std::span<Reaction> reactions);
   /// `moved`: particles are no longer where they were when forces acted.
   void act_on_mapped_surfaces(const std::vector<BodyParticles>& bodies, Tiles& tiles, bool moved);
   /// Makes a correction of a tile's velocities or accelerations zero where these are prescribed. `vector`: its
@@ -42,6 +44,7 @@ class Conditions {
 
  private:
   int axes_;  ///< of the grid
+  std::size_t count_;
   std::vector<std::unique_ptr<Condition>> on_nodes_;
   std::vector<std::unique_ptr<SurfaceCondition>> on_surfaces_;
   std::vector<TileNodes> tiles_;

@@ -3,13 +3,13 @@
 namespace trajan {
 
 void HingeCondition::make(const Model& model, std::vector<std::unique_ptr<SurfaceCondition>>& conditions) {
-  for (const BoundaryCondition& condition : model.conditions)
-    if (const auto* surface = std::get_if<HeldSurface>(&condition.kind))
-      conditions.push_back(std::make_unique<HingeCondition>(model, *surface));
+  for (std::size_t i = 0; i < model.conditions.size(); ++i)
+    if (const auto* surface = std::get_if<HeldSurface>(&model.conditions[i].kind))
+      conditions.push_back(std::make_unique<HingeCondition>(model, *surface, i));
 }
 
-HingeCondition::HingeCondition(const Model& model, const HeldSurface& surface)
-    : SurfaceCondition(model, surface.points, surface.normal, surface.mean),
+HingeCondition::HingeCondition(const Model& model, const HeldSurface& surface, std::size_t condition)
+    : SurfaceCondition(model, condition, surface.points, surface.normal, surface.mean),
       surface_(surface),
       velocities_(model) {}
 
@@ -31,7 +31,9 @@ Reaction HingeCondition::act(Tiles& tiles, const HeldComponents& held) {
       const Mean now = mean(tiles, held, part, node_velocity, axis);
       if (!(now.inverse_mass > 0)) continue;
       const double impulse = (velocity_[static_cast<std::size_t>(axis)] - now.velocity) / now.inverse_mass;
-      reaction.work += impulse * push(tiles, held, part, axis, impulse, kick_);
+      const Pushed pushed = push(tiles, held, part, axis, impulse, kick_);
+      reaction.work += pushed.work;
+      reaction.impulse[static_cast<std::size_t>(axis)] += pushed.impulse;
     }
   }
   return reaction;

@@ -10,7 +10,7 @@ namespace trajan {
 class HingeCondition : public SurfaceCondition {
  public:
   static void make(const Model& model, std::vector<std::unique_ptr<SurfaceCondition>>& conditions);
-  HingeCondition(const Model& model, const HeldSurface& surface);
+  HingeCondition(const Model& model, const HeldSurface& surface, std::size_t condition);
   bool works() const override { return true; }
   void prepare(const Kick& kick) override;
   Reaction act(Tiles& tiles, const HeldComponents& held) override;

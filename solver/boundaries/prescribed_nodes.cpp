@@ -87,19 +87,24 @@ void PrescribedNodes::make(const Model& model, std::vector<std::unique_ptr<Condi
 }
 
 PrescribedNodes::PrescribedNodes(const Model& model) : frame_(model), velocities_(model) {
-  for (const BoundaryCondition& condition : model.conditions) {
-    const auto* motion = std::get_if<PrescribedMotion>(&condition.kind);
+  for (std::size_t i = 0; i < model.conditions.size(); ++i) {
+    const auto* motion = std::get_if<PrescribedMotion>(&model.conditions[i].kind);
     if (!motion) continue;
     motions_.push_back(motion);
+    conditions_.push_back(i);
     for (const std::optional<Formula>& component : motion->components) works_ = works_ || !is_zero(component);
   }
 }
 
 void PrescribedNodes::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
   targets_.clear();
-  for (const PrescribedMotion* motion : motions_)
-    for (const std::optional<Formula>& formula : motion->components)
-      targets_.push_back({formula && formula->uniform() ? &*formula : nullptr, motion->displacement, {}, {}});
+  for (std::size_t m = 0; m < motions_.size(); ++m)
+    for (const std::optional<Formula>& formula : motions_[m]->components)
+      targets_.push_back({conditions_[m],
+                          formula && formula->uniform() ? &*formula : nullptr,
+                          motions_[m]->displacement,
+                          {},
+                          {}});
   entries_.clear();
   first_.assign(1, 0);
   for (std::size_t t = 0; t < tiles.size(); ++t) {
@@ -124,7 +129,7 @@ void PrescribedNodes::bind_node(const TileNodes& tile, int node, std::uint8_t& h
     std::size_t target = 3 * m + axis;
     if (!formula.uniform()) {
       target = targets_.size();
-      targets_.push_back({&formula, motions_[m]->displacement, frame_.place(tile, node), {}});
+      targets_.push_back({conditions_[m], &formula, motions_[m]->displacement, frame_.place(tile, node), {}});
     }
     held = static_cast<std::uint8_t>(held | 1u << axis);
     entries_.push_back(
@@ -138,17 +143,17 @@ void PrescribedNodes::prepare(const Kick& kick) {
     if (target.formula) target.value = velocities_.of(*target.formula, target.displacement, target.at, kick);
 }
 
-Reaction PrescribedNodes::act(std::size_t tile, const TileNodes& nodes) {
-  Reaction reaction;
+void PrescribedNodes::act(std::size_t tile, const TileNodes& nodes, std::span<Reaction> reactions) {
   for (const Entry& entry : entries_of(tile)) {
     const PrescribedVelocities::Value& v = targets_[entry.target].value;
+    Reaction& reaction = reactions[targets_[entry.target].condition];
     double& a = nodes.acceleration(entry.axis)[entry.node];
-    const double force = nodes.mass()[entry.node] * (v.acceleration - a);
-    reaction.work += kick_.length() * force * (v.after - 0.5 * kick_.length() * v.acceleration);
+    const double impulse = kick_.length() * nodes.mass()[entry.node] * (v.acceleration - a);
+    reaction.work += impulse * (v.after - 0.5 * kick_.length() * v.acceleration);
+    reaction.impulse[entry.axis] += impulse;
     a = v.acceleration;
     nodes.velocity(entry.axis)[entry.node] = v.after;
   }
-  return reaction;
 }
 
 void PrescribedNodes::act_on_mapped(std::size_t tile, const TileNodes& nodes) const {

@@ -32,13 +32,14 @@ class PrescribedNodes : public Condition {
   bool works() const override { return works_; }
   void bind(std::span<const TileNodes> tiles, HeldComponents& held) override;
   void prepare(const Kick& kick) override;
-  Reaction act(std::size_t tile, const TileNodes& nodes) override;
+  void act(std::size_t tile, const TileNodes& nodes, std::span<Reaction> reactions) override;
   void act_on_mapped(std::size_t tile, const TileNodes& nodes) const override;
   void constrain(double from, double to, DisplacementConstraints& constraints) const override;
 
  private:
   /// A motion's component, at a node where its formula depends on place.
   struct Target {
+    std::size_t condition = 0;  ///< index into Model::conditions
     const Formula* formula = nullptr;
     bool displacement = false;
     Vector at;
@@ -58,7 +59,8 @@ class PrescribedNodes : public Condition {
   GridFrame frame_;
   PrescribedVelocities velocities_;
   std::vector<const PrescribedMotion*> motions_;
-  std::vector<Target> targets_;  ///< by motion and axis, then by node
+  std::vector<std::size_t> conditions_;  ///< by motion, index into Model::conditions
+  std::vector<Target> targets_;          ///< by motion and axis, then by node
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> first_;  ///< by tile, and the end
   Kick kick_;

@@ -19,13 +19,13 @@ double dot(const Components& a, const Components& b) { return a[0] * b[0] + a[1]
 }  // namespace
 
 void RigidContact::make(const Model& model, std::vector<std::unique_ptr<Condition>>& conditions) {
-  for (const BoundaryCondition& condition : model.conditions)
-    if (const auto* obstacle = std::get_if<RigidObstacle>(&condition.kind))
-      conditions.push_back(std::make_unique<RigidContact>(model, *obstacle));
+  for (std::size_t i = 0; i < model.conditions.size(); ++i)
+    if (const auto* obstacle = std::get_if<RigidObstacle>(&model.conditions[i].kind))
+      conditions.push_back(std::make_unique<RigidContact>(model, *obstacle, i));
 }
 
-RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle)
-    : obstacle_(obstacle), frame_(model), velocities_(model) {}
+RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle, std::size_t condition)
+    : obstacle_(obstacle), condition_(condition), frame_(model), velocities_(model) {}
 
 void RigidContact::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
   held_ = &held;
@@ -90,12 +90,12 @@ bool RigidContact::respond(const Components& relative, Components normal, unsign
   return sticks;
 }
 
-Reaction RigidContact::act(std::size_t tile, const TileNodes& nodes) {
+void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<Reaction> reactions) {
   std::uint8_t* sticks = sticks_.data() + tile * TileNodes::count;
   const std::uint8_t* held = held_->data() + tile * TileNodes::count;
   std::fill(sticks, sticks + TileNodes::count, std::uint8_t{0});
-  Reaction reaction;
-  if (!may_touch(nodes)) return reaction;
+  Reaction& reaction = reactions[condition_];
+  if (!may_touch(nodes)) return;
   const auto axes = static_cast<std::size_t>(frame_.dimensions);
   for (int node = 0; node < TileNodes::count; ++node) {
     Components normal, relative{}, change;
@@ -111,11 +111,11 @@ Reaction RigidContact::act(std::size_t tile, const TileNodes& nodes) {
       v += change[axis];
       // Force times the velocity in the middle of the kick is what the body gains.
       const double impulse = mass * change[axis];
+      reaction.impulse[axis] += impulse;
       reaction.work += impulse * velocity_[axis];
       reaction.dissipated += impulse * (velocity_[axis] - (v - 0.5 * kick_ * a));
     }
   }
-  return reaction;
 }
 
 /// Friction has been applied once, with the momentum that was mapped first; what stuck sticks here too.

@@ -12,11 +12,12 @@ namespace trajan {
 class RigidContact : public Condition {
  public:
   static void make(const Model& model, std::vector<std::unique_ptr<Condition>>& conditions);
-  RigidContact(const Model& model, const RigidObstacle& obstacle);
+  /// `condition`: index into Model::conditions.
+  RigidContact(const Model& model, const RigidObstacle& obstacle, std::size_t condition);
   bool works() const override { return true; }
   void bind(std::span<const TileNodes> tiles, HeldComponents& held) override;
   void prepare(const Kick& kick) override;
-  Reaction act(std::size_t tile, const TileNodes& nodes) override;
+  void act(std::size_t tile, const TileNodes& nodes, std::span<Reaction> reactions) override;
   void act_on_mapped(std::size_t tile, const TileNodes& nodes) const override;
 
  private:
@@ -28,6 +29,7 @@ class RigidContact : public Condition {
   bool respond(const Components& relative, Components normal, unsigned held, Components& change) const;
 
   const RigidObstacle& obstacle_;
+  std::size_t condition_;
   GridFrame frame_;
   PrescribedVelocities velocities_;
   Vector point_;           ///< of the plane or the ball's centre, now

@@ -11,9 +11,13 @@ constexpr double least_share = 1e-6;
 
 }  // namespace
 
-SurfaceCondition::SurfaceCondition(const Model& model, const std::vector<SurfacePoint>& points, int normal,
-                                   bool mean)
-    : axes_(grid_axes(model.dimension)), riders_(model, points, false), normal_(normal), mean_(mean) {}
+SurfaceCondition::SurfaceCondition(const Model& model, std::size_t condition,
+                                   const std::vector<SurfacePoint>& points, int normal, bool mean)
+    : axes_(grid_axes(model.dimension)),
+      riders_(model, points, false),
+      condition_(condition),
+      normal_(normal),
+      mean_(mean) {}
 
 void SurfaceCondition::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
   riders_.bind(bodies, tiles);
@@ -94,19 +98,22 @@ SurfaceCondition::Mean SurfaceCondition::mean(const Tiles& tiles, const HeldComp
   return mean;
 }
 
-double SurfaceCondition::push(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,
-                              double impulse, double kick) const {
-  double middle = 0;
+SurfaceCondition::Pushed SurfaceCondition::push(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to,
+                                                int axis, double impulse, double kick) const {
+  Pushed pushed;
   for (std::uint32_t n = to.begin; n < to.end; ++n) {
     const SurfaceNode& at = nodes_[n];
     double& a = tiles.nodes(at.tile)[quantity(node_acceleration, axis, axes_) * tile_nodes + at.node];
     double& v = tiles.nodes(at.tile)[quantity(node_velocity, axis, axes_) * tile_nodes + at.node];
-    const double change = impulse * at.weight * inverse_mass(tiles, held, at, axis);
-    a += change / kick;
-    v += change;
-    middle += at.weight * (v - 0.5 * kick * a);
+    const double inverse = inverse_mass(tiles, held, at, axis);
+    if (inverse == 0) continue;
+    const double share = impulse * at.weight;
+    a += share * inverse / kick;
+    v += share * inverse;
+    pushed.impulse += share;
+    pushed.work += share * (v - 0.5 * kick * a);
   }
-  return middle;
+  return pushed;
 }
 
 void SurfaceCondition::push_mapped(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,

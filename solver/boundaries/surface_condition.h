@@ -34,9 +34,10 @@ class MeanConstraints {
 /// once, after all tiles are done; what other conditions prescribe stays.
 class SurfaceCondition {
  public:
-  /// `mean`: one mean over all points; otherwise one per line of grid nodes along the normal axis that meets
-  /// the surface, which together say what every point of it does.
-  SurfaceCondition(const Model& model, const std::vector<SurfacePoint>& points, int normal, bool mean);
+  /// `condition`: index into Model::conditions. `mean`: one mean over all points; otherwise one per line of grid
+  /// nodes along the normal axis that meets the surface, which together say what every point of it does.
+  SurfaceCondition(const Model& model, std::size_t condition, const std::vector<SurfacePoint>& points, int normal,
+                   bool mean);
   virtual ~SurfaceCondition() = default;
   virtual bool works() const = 0;
   virtual void prepare(const Kick& kick) = 0;
@@ -51,6 +52,7 @@ class SurfaceCondition {
   /// Finds the nodes; to be called before `act` when the points or the particles have moved.
   void find_nodes(const std::vector<BodyParticles>& bodies, const Tiles& tiles);
   Riders& riders() { return riders_; }
+  std::size_t condition() const { return condition_; }
 
  protected:
   /// A component of the velocity (or of what the nodes hold as `vector`) in the mean, and its inverse mass:
@@ -60,9 +62,12 @@ class SurfaceCondition {
   };
   Mean mean(const Tiles& tiles, const HeldComponents& held, const SurfaceMean& of, NodeVector vector,
             int axis) const;
-  /// Adds an impulse along an axis to accelerations and velocities; returns the mean velocity in the middle of
-  /// the kick after it.
-  double push(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis, double impulse,
+  /// What an impulse has done: how much of it went to nodes that are free, and its work on them.
+  struct Pushed {
+    double impulse = 0, work = 0;
+  };
+  /// Adds an impulse along an axis to accelerations and velocities.
+  Pushed push(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis, double impulse,
               double kick) const;
   void push_mapped(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,
                    double impulse) const;
@@ -84,6 +89,7 @@ class SurfaceCondition {
   void collect();
   double inverse_mass(const Tiles& tiles, const HeldComponents& held, const SurfaceNode& at, int axis) const;
 
+  std::size_t condition_;
   int normal_;
   bool mean_;
   std::vector<Share> shares_;

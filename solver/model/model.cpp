@@ -16,6 +16,9 @@ std::vector<std::string> history_columns(const Model& model) {
     columns.push_back(std::string("energies.") + energy);
   for (const std::string_view axis : vector_components(model.dimension))
     columns.push_back("momentum." + std::string(axis));
+  for (std::size_t condition : model.outputs.reactions)
+    for (const std::string_view axis : vector_components(model.dimension))
+      columns.push_back("reactions." + model.conditions[condition].name + "." + std::string(axis));
   return columns;
 }
 

@@ -113,7 +113,8 @@ class Model {
 /// Names of the histories' columns, in the order in which they are sampled: probes in the order of the
 /// scene ("tip.displacement.x", …), then "energies.kinetic", "energies.strain", "energies.work",
 /// "energies.dissipated", "energies.total", "energies.balance_error", then "momentum.x" and, as far as
-/// vectors have them, "momentum.y" and "momentum.z".
+/// vectors have them, "momentum.y" and "momentum.z", then likewise the forces of boundary conditions that are
+/// asked for, "reactions.support.x".
 std::vector<std::string> history_columns(const Model& model);
 
 }  // namespace trajan

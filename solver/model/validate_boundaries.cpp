@@ -65,7 +65,7 @@ void Validator::check_boundaries() {
     PrescribedMotion axis;
     axis.nodes = nodes_on(model_.grid, Edge::left);
     axis.components[0] = zero();
-    model_.conditions.push_back({"axis", std::move(axis)});
+    model_.conditions.push_back({"", std::move(axis)});
   }
   if (!check_list("boundaries", scene_.boundaries)) return;
   for (std::size_t i = 0; i < scene_.boundaries.size(); ++i)

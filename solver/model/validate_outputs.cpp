@@ -52,12 +52,38 @@ void Validator::check_outputs() {
   for (std::size_t i = 0; i < outputs.probes.size(); ++i) {
     check_probe(indexed("outputs.probes", i), outputs.probes[i]);
   }
+  check_reactions();
   columns_ = history_columns(model_);
   const double columns = static_cast<double>(columns_.size());
   if (samples && columns * outputs.samples > most_history_values) {
     violations_.add("outputs.samples", std::to_string(outputs.samples),
                     "too many rows for histories of " + number_text(columns) + " columns",
                     "give fewer samples or probes: at most 10^9 values in all");
+  }
+}
+
+void Validator::check_reactions() {
+  std::vector<std::string> names;
+  for (const BoundaryCondition& condition : model_.conditions)
+    if (!condition.name.empty()) names.push_back(condition.name);
+  const std::vector<std::string>& asked = scene_.outputs.reactions;
+  for (std::size_t i = 0; i < asked.size() && violations_.worth_a_hint(); ++i) {
+    const std::string path = indexed("outputs.reactions", i);
+    const auto found = std::ranges::find(model_.conditions, asked[i], &BoundaryCondition::name);
+    const auto index = static_cast<std::size_t>(found - model_.conditions.begin());
+    if (asked[i].empty() || found == model_.conditions.end()) {
+      // One that is wrong itself is not reported again.
+      const auto same = [&](const BoundaryDefinition& definition) { return definition.name == asked[i]; };
+      const auto defined = std::ranges::find_if(scene_.boundaries, same);
+      if (defined == scene_.boundaries.end())
+        unknown_name(path, asked[i], "boundary condition", names);
+      else if (std::holds_alternative<Periodic>(defined->condition))
+        violations_.add(path, asked[i], "a periodic condition has no reaction", "leave it out");
+    } else if (std::ranges::count(model_.outputs.reactions, index) > 0) {
+      violations_.add(path, asked[i], quoted(asked[i]) + " is asked for twice", "name each condition once");
+    } else {
+      model_.outputs.reactions.push_back(index);
+    }
   }
 }
 
@@ -165,7 +191,7 @@ void Validator::check_probe(const std::string& path, const ProbeDefinition& defi
   probe.name = definition.name;
   probe.statistic = definition.statistic;
   bool good = is_identifier(definition.name);
-  if (definition.name == "energies" || definition.name == "momentum") {
+  if (definition.name == "energies" || definition.name == "momentum" || definition.name == "reactions") {
     good = violations_.add(path + ".name", definition.name,
                            quoted(definition.name) + " is the name of other histories", "choose another name");
   }

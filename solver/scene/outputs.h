@@ -44,6 +44,7 @@ struct Outputs {
   std::vector<Field> snapshot_fields = {Field::displacement, Field::stress};
   std::vector<ProbeDefinition> probes;
   std::vector<std::string> snapshot_history;
+  std::vector<std::string> reactions = {};
 };
 
 struct FinalValue {};

@@ -60,6 +60,20 @@ std::vector<double> surface_points(const std::vector<Riders*>& all) {
   return packed;
 }
 
+std::vector<double> pack(std::span<const Reaction> reactions) {
+  std::vector<double> packed;
+  for (const Reaction& r : reactions)
+    packed.insert(packed.end(), {r.work, r.dissipated, r.impulse[0], r.impulse[1], r.impulse[2]});
+  return packed;
+}
+
+std::vector<Reaction> unpack_reactions(const std::vector<double>& packed) {
+  std::vector<Reaction> reactions;
+  for (std::size_t i = 0; i + 5 <= packed.size(); i += 5)
+    reactions.push_back({packed[i], packed[i + 1], {packed[i + 2], packed[i + 3], packed[i + 4]}});
+  return reactions;
+}
+
 void restore(const std::vector<double>& packed, const std::vector<Riders*>& all) {
   auto from = packed.begin();
   for (Riders* riders : all) {
@@ -86,6 +100,7 @@ Checkpoint Simulation::save() {
   checkpoint.arrays.push_back({"tiles", pack(executor_.tiles())});
   checkpoint.arrays.push_back({"blocks", pack(executor_.tiles().blocks())});
   checkpoint.arrays.push_back({"surface_points", surface_points(executor_.riders())});
+  checkpoint.arrays.push_back({"reactions", pack(executor_.reactions())});
   checkpoint.arrays.push_back({"energies", std::vector<double>{executor_.work(), executor_.dissipated(),
                                                                initial_energy_, largest_energy_, largest_input_}});
   if (stepper_) stepper_->save(checkpoint);
@@ -110,7 +125,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
   executor_.bind();
   stepper_ = make_stepper(model, executor_, &checkpoint);
   const auto& energies = array<double>(checkpoint, "energies");
-  executor_.restore(energies[0], energies[1]);
+  executor_.restore(energies[0], energies[1], unpack_reactions(array<double>(checkpoint, "reactions")));
   initial_energy_ = energies[2];
   largest_energy_ = energies[3];
   largest_input_ = energies[4];

@@ -69,7 +69,8 @@ Executor::Executor(const Model& model, int threads)
   }
   sweep_.flip = model.numerics.flip_fraction.value_or(1);
   lightest_particle_ = lightest_particle(bodies_);
-  account_ = !loads_.none() || model.damping > 0 || conditions_.work();
+  account_ = !loads_.none() || model.damping > 0 || conditions_.work() || !model.outputs.reactions.empty();
+  reactions_.assign(conditions_.count(), {});
   const auto window = static_cast<std::size_t>(quantities(transfer_kind_.node_vectors, axes_) *
                                                transfer_.window_copies * transfer_.layout.window_nodes);
   for (int thread = 0; thread < threads; ++thread) {
@@ -105,7 +106,7 @@ void Executor::bind() {
   const std::size_t tiles = tiles_.tiles().size();
   collected_.resize(conditions_.on_surfaces() ? tiles : scratch_.size());
   shares_ = tiles_.shares(pool_.size());
-  tile_reactions_.assign(tiles, {});
+  tile_reactions_.assign(tiles * (conditions_.count() + 1), {});
 }
 
 void Executor::particles(std::initializer_list<Pass> passes) {
@@ -314,7 +315,7 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
   }
   if (!account_) return;
   motion_.account(block);
-  tile_reactions_[tile] += {block.work, block.dissipated};
+  reactions_of(tile).back() = {block.work, block.dissipated, {}};
 }
 
 void Executor::update_velocities(const StepTimes& times, double light_node) {
@@ -324,12 +325,12 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     transfer_.update_velocities(block);
-    tile_reactions_[tile] = conditions_.act(tile);
+    std::ranges::fill(reactions_of(tile), Reaction{});
+    conditions_.act(tile, reactions_of(tile));
     if (in_one_pass) complete(block, tile, light_node);
   });
-  Reaction reaction;
   if (!in_one_pass) {
-    reaction = conditions_.act_on_surfaces(bodies_, tiles_);
+    conditions_.act_on_surfaces(bodies_, tiles_, reactions_of(0));
     for_each_tile([&](std::size_t tile, std::size_t thread) {
       NodeBlock block = node_block(tile, thread);
       complete(block, tile, light_node);
@@ -338,10 +339,18 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   }
   project(times.drift > 0 ? transfer_passes_.projection : transfer_passes_.projection_at_sample,
           light_node * lightest_particle_);
-  if (!account_) return;
-  for (const Reaction& of_tile : tile_reactions_) reaction += of_tile;
-  work_ += reaction.work;
-  dissipated_ += reaction.dissipated;
+  if (account_) add_up_reactions();
+}
+
+void Executor::add_up_reactions() {
+  const std::size_t kinds = conditions_.count() + 1;
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    Reaction sum;
+    for (std::size_t i = kind; i < tile_reactions_.size(); i += kinds) sum += tile_reactions_[i];
+    work_ += sum.work;
+    dissipated_ += sum.dissipated;
+    if (kind < reactions_.size()) reactions_[kind] += sum;
+  }
 }
 
 void Executor::map_velocities(bool with_mass) {

@@ -68,9 +68,15 @@ class Executor {
   std::vector<Riders*> riders();
   /// Counts sortings, for whoever keeps slots.
   std::int64_t sortings() const { return sortings_; }
+  /// What boundary conditions have done since these were last forgotten, in the order of the model.
+  std::span<const Reaction> reactions() const { return reactions_; }
+  void forget_reactions() { reactions_.assign(reactions_.size(), {}); }
   double work() const { return work_; }
   double dissipated() const { return dissipated_; }
-  void restore(double work, double dissipated) { work_ = work, dissipated_ = dissipated; }
+  void restore(double work, double dissipated, std::vector<Reaction> reactions) {
+    work_ = work, dissipated_ = dissipated;
+    reactions_ = std::move(reactions);
+  }
   std::size_t memory() const;
   /// Throws Diverged at the present step, about the particle that looks worst.
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
@@ -92,6 +98,10 @@ class Executor {
   /// Finishes, and evaluates all that depends on time.
   void prepare(const StepTimes& times);
   NodeBlock node_block(std::size_t tile, std::size_t thread);
+  std::span<Reaction> reactions_of(std::size_t tile) {
+    return std::span(tile_reactions_).subspan(tile * (conditions_.count() + 1), conditions_.count() + 1);
+  }
+  void add_up_reactions();
   /// What follows once a tile's velocities are final.
   void complete(NodeBlock& block, std::size_t tile, double light_node);
   /// What the transfer iterates on after the nodes' velocities have been updated. Velocities for gradients
@@ -129,7 +139,9 @@ class Executor {
   std::vector<AlignedDoubles> windows_, stencils_;  ///< by thread
   std::vector<std::vector<Levers>> levers_;         ///< by thread
   std::vector<std::size_t> shares_;
+  /// By tile, of each condition and then of loads and damping.
   std::vector<Reaction> tile_reactions_;
+  std::vector<Reaction> reactions_;  ///< by condition
   std::vector<Totals> tile_totals_;
   double lightest_particle_ = 0;
   bool account_ = false;

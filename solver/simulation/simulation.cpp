@@ -45,7 +45,12 @@ std::int64_t Simulation::steps_left() const {
   return intervals * std::max<std::int64_t>(steps_in_interval_, 1) - step_in_interval_;
 }
 
+double Simulation::last_interval() const {
+  return sample_time(std::max<std::int64_t>(sample_, 1)) - sample_time(std::max<std::int64_t>(sample_ - 1, 0));
+}
+
 void Simulation::begin_interval() {
+  executor_.forget_reactions();
   const double interval = sample_time(sample_ + 1) - sample_time(sample_);
   const double largest =
       model_.numerics.time_step
@@ -101,6 +106,9 @@ void Simulation::measure() {
   columns_.insert(columns_.end(),
                   {totals_.kinetic_energy, totals_.strain_energy, work, dissipated, total, balance_error_});
   for (int axis = 0; axis < grid_axes(model_.dimension); ++axis) columns_.push_back(totals_.momentum[axis]);
+  for (std::size_t condition : model_.outputs.reactions)
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(grid_axes(model_.dimension)); ++axis)
+      columns_.push_back(executor_.reactions()[condition].impulse[axis] / last_interval());
   largest_input_ = std::max({largest_input_, initial_energy_, std::abs(work)});
   if (total <= energy_growth_bound * largest_input_) return;
   executor_.diverge("the energy has grown to " + std::to_string(total / largest_input_) +

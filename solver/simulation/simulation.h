@@ -46,6 +46,7 @@ class Simulation {
 
  private:
   double sample_time(std::int64_t sample) const;
+  double last_interval() const;
   void begin_interval();
   bool step_explicitly();
   void measure();

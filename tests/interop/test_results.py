@@ -120,8 +120,8 @@ def test_an_offset_beyond_the_end_is_an_error(jobs, messages, ended_job):
 def column_of_file(file, column):
     """The history named `column` by the plain names in the file."""
     group, *names = column.split(".")
-    if group in ("energies", "momentum"):
-        return file[group][names[0]][:]
+    if group in ("energies", "momentum", "reactions"):
+        return file[group][".".join(names)][:]
     dataset = file["probes"][group][names[0]]
     if len(names) == 1:
         return dataset[:]

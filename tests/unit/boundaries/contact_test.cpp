@@ -25,22 +25,38 @@ Scene incline(double angle, double friction, const std::string& scheme) {
 class Incline : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, Incline, testing::Values("USL", "MUSL", "TLMPM"));
 
-TEST_P(Incline, TakesCoulombsShareOfTheNormalImpulse) {
+/// By how much friction falls short of Coulomb's share of the normal force, at most.
+double shortfall(Scene scene, double friction) {
+  scene.outputs.reactions = {"incline"};
+  const Histories run(scene);
+  double largest = 0;
+  for (std::size_t row = 1; row < run.rows(); ++row) {
+    const double share = -run.at(row, "reactions.incline.x") / run.at(row, "reactions.incline.y");
+    // Of each node it is at most that; sums of some tens of thousands of impulses are rounded.
+    EXPECT_LE(share, friction + 1e4 * epsilon);
+    largest = std::max(largest, friction - share);
+  }
+  return largest;
+}
+
+TEST_P(Incline, TakesCoulombsShareOfTheNormalForce) {
+  const double friction = 0.3;
+  Scene scene = incline(std::numbers::pi / 6, friction, GetParam());
+  scene.bodies[0].initial_velocity.x = "3";
+  const double coarse = shortfall(scene, friction);
+  if (GetParam() == "TLMPM") EXPECT_LT(coarse, 1e4 * epsilon);
+  // Where particles cross cells a node of little mass may slide backwards or stick for a moment; how often, goes
+  // with the cells. Such nodes run away under USL, which is why MUSL maps velocities twice.
+  if (GetParam() != "MUSL") return;
+  scene.domain.cell_size /= 2;
+  EXPECT_LT(shortfall(scene, friction), coarse / 2);
+}
+
+TEST_P(Incline, SlowsWhatSlidesDownIt) {
   const double angle = std::numbers::pi / 6, friction = 0.3;
   Scene scene = incline(angle, friction, GetParam());
   scene.bodies[0].initial_velocity.x = "3";
   const Histories run(scene);
-  for (std::size_t row = 1; row < run.rows(); ++row) {
-    // All of the foot slides: friction is that share of the normal impulse in every step, whatever the
-    // block's vibrations are. Momenta of up to 10 are rounded in every step; where particles cross cells a
-    // node of little mass may slide backwards or stick for a moment.
-    const double weight = 2 * gravity * run.time(row);
-    const double along = weight * std::sin(angle) - (run.at(row, "momentum.x") - 6);
-    const double normal = weight * std::cos(angle) + run.at(row, "momentum.y");
-    const double share = GetParam() == "TLMPM" ? 0 : GetParam() == "MUSL" ? 2e-3 : 2e-2;
-    const double backwards = share * friction * normal;
-    EXPECT_NEAR(along, friction * normal, 100 * epsilon * run.steps() + backwards);
-  }
   // g (sin a - mu cos a), but for the share of the normal vibration, which is of the size of the time that a wave
   // takes through the block (1/37) over that of the run.
   EXPECT_NEAR(run.last("momentum.x") / 2 - 3, gravity * (std::sin(angle) - friction * std::cos(angle)),
@@ -95,18 +111,31 @@ TEST(RigidPlane, WorksOnWhatItPushesAsItsPowerSays) {
   EXPECT_NEAR(run.last("energies.balance_error"), 0, 0.05);
 }
 
-TEST(RigidBall, CatchesABlockAndAccountsForEveryJoule) {
+/// A block that falls on a ball below its middle.
+Histories fall(double friction, double cell) {
   Scene scene = block();
+  scene.domain.cell_size = cell;
+  scene.numerics.shape_functions = "gimp";
+  scene.numerics.time_step_fraction = 0.1;
   scene.bodies[0].initial_velocity = {{}, "-2"};
   scene.bodies[0].geometry = Box{{0, 0.5}, {2, 1.5}};
-  scene.boundaries = {{"ball", {}, RigidBall{{1, -1}, 1.1, {0.5, false, false, {}}}}};
+  scene.boundaries = {{"ball", {}, RigidBall{{1, -1}, 1.1, {friction, false, false, {}}}}};
   scene.analysis.end_time = 0.5;
-  const Histories run(scene);
+  return Histories(scene);
+}
+
+TEST(RigidBall, CatchesABlock) {
+  const Histories run = fall(0, 0.25);
   EXPECT_GT(run.last("momentum.y"), -4 + 1);
-  // The ball is below the middle; where nodes slide or stick is decided by rounding.
-  EXPECT_NEAR(run.last("momentum.x"), 0, 1e-3);
-  // What lumped masses lose in an impact is not accounted for.
-  EXPECT_NEAR(run.last("energies.balance_error"), 0, 0.15);
+  // It is as even as the block is, but for rounding that some thousand steps and an impact make grow.
+  EXPECT_NEAR(run.last("momentum.x"), 0, 1e-9);
+}
+
+TEST(RigidBall, LosesTheLessEnergyTheFinerTheGrid) {
+  // What lumped masses lose in an impact is not accounted for. They are those of one layer of cells.
+  const double coarse = fall(0.5, 0.25).last("energies.balance_error");
+  const double fine = fall(0.5, 0.125).last("energies.balance_error");
+  EXPECT_LT(std::abs(fine), std::abs(coarse) / 1.5);
 }
 
 }  // namespace

@@ -108,18 +108,85 @@ class Absorbed : public testing::TestWithParam<std::tuple<std::string, double>> 
 INSTANTIATE_TEST_SUITE_P(Schemes, Absorbed,
                          testing::Combine(testing::Values("USL", "MUSL", "TLMPM"), testing::Values(0.0, 0.07)));
 
-TEST_P(Absorbed, WavesLeaveAPlaneBar) {
-  Scene scene = pulse(Dimension::plane_strain, std::get<0>(GetParam()), std::get<1>(GetParam()));
-  // Side walls without friction make the wave a plane one.
+/// Side walls without friction make a wave along the bar a plane one; if it is a shear wave, those that let
+/// nothing but it move.
+void make_plane(Scene& scene, Axis moves = Axis::x) {
   scene.domain.lower.y = 0;
   scene.domain.upper.y = 0.5;
-  scene.boundaries.push_back({"bottom", Edge::bottom, Roller{}});
-  scene.boundaries.push_back({"top", Edge::top, Roller{}});
+  const Fixed sides{{moves == Axis::x ? Axis::y : Axis::x}};
+  scene.boundaries.push_back({"bottom", Edge::bottom, sides});
+  scene.boundaries.push_back({"top", Edge::top, sides});
+}
+
+TEST_P(Absorbed, WavesLeaveAPlaneBar) {
+  Scene scene = pulse(Dimension::plane_strain, std::get<0>(GetParam()), std::get<1>(GetParam()));
+  make_plane(scene);
   const Histories run(scene);
   // Both halves of the pulse have reached their ends at t = 0.5 and would be back at 1.
   EXPECT_LT(run.last("energies.total"), 0.02 * run.at(0, "energies.total"));
   EXPECT_GT(run.last("energies.dissipated"), 0.9 * run.at(0, "energies.total"));
   EXPECT_NEAR(run.last("energies.balance_error"), 0, 0.05);
+}
+
+/// Twice as stiff along the bar as across it.
+MaterialDefinition wood(double angle) {
+  return {"solid",
+          1,
+          "orthotropic_elastic",
+          {{"youngs_modulus_1", 100},
+           {"youngs_modulus_2", 50},
+           {"youngs_modulus_3", 50},
+           {"poissons_ratio_12", 0.2},
+           {"poissons_ratio_23", 0.2},
+           {"poissons_ratio_31", 0.1},
+           {"shear_modulus_12", 60},
+           {"shear_modulus_23", 10},
+           {"shear_modulus_31", 60},
+           {"angle_z", angle}}};
+}
+
+/// The share of a pulse's energy that comes back from the ends.
+double returned(const Scene& scene) {
+  const Histories run(scene);
+  return run.last("energies.total") / run.at(0, "energies.total");
+}
+
+TEST(Absorbing, FitsTheWavesOfAnOrthotropicBody) {
+  for (const double angle : {0.0, std::numbers::pi / 2}) {
+    Scene scene = pulse(Dimension::plane_strain, "TLMPM", 0);
+    scene.materials = {wood(angle)};
+    make_plane(scene);
+    EXPECT_LT(returned(scene), 0.02);
+    scene.bodies[0].initial_velocity = {{}, *scene.bodies[0].initial_velocity.x};
+    scene.boundaries.erase(scene.boundaries.begin() + 2, scene.boundaries.end());
+    make_plane(scene, Axis::y);
+    EXPECT_LT(returned(scene), 0.02) << "shear";
+  }
+}
+
+TEST(Absorbing, OfAnInclinedMaterialIsRefused) {
+  Scene scene = pulse(Dimension::plane_strain, "MUSL", 0);
+  scene.materials = {wood(0.3)};
+  try {
+    validate(scene);
+    FAIL() << "was let through";
+  } catch (const InvalidScene& refused) {
+    ASSERT_EQ(refused.violations().size(), 2u);
+    EXPECT_EQ(refused.violations()[0].path, "boundaries[0].absorbing.surface");
+    EXPECT_NE(refused.violations()[0].problem.find("inclined"), std::string::npos);
+  }
+}
+
+TEST(Absorbing, FitsTheWavesOfAFluid) {
+  Scene scene = pulse(Dimension::plane_strain, "MUSL", 0);
+  scene.materials = {{"solid", 1, "tait_fluid", {{"bulk_modulus", 100}}}};
+  make_plane(scene);
+  EXPECT_LT(returned(scene), 0.02);
+  // Nothing holds back what slides along an edge of a fluid.
+  scene.bodies[0].initial_velocity = {{}, "0.01"};
+  scene.boundaries.erase(scene.boundaries.begin() + 2, scene.boundaries.end());
+  scene.boundaries.push_back({"all", Box{{-1, 0}, {12, 0.5}}, Fixed{{Axis::x}}});
+  EXPECT_NEAR(returned(scene), 1, 1e-9);
 }
 
 }  // namespace

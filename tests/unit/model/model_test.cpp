@@ -59,11 +59,11 @@ TEST(Model, RegionsOfNodesAreClippedToTheGrid) {
   const Model model = validate(scene);
   const NodeRegion& box = motion(model, 0).nodes;
   EXPECT_EQ(std::vector<std::int64_t>({box.i0, box.i1, box.j0, box.j1}), (std::vector<std::int64_t>{0, 4, 6, 6}));
-  EXPECT_FALSE(box.disc);
+  EXPECT_FALSE(box.shape);
   const NodeRegion& disc = motion(model, 1).nodes;
   EXPECT_EQ(std::vector<std::int64_t>({disc.i0, disc.i1, disc.j0, disc.j1}),
             (std::vector<std::int64_t>{39, 40, 11, 12}));
-  EXPECT_TRUE(disc.disc);
+  EXPECT_TRUE(disc.shape);
 }
 
 TEST(Model, ConditionsLeaveComponentsFreeThatAreNotGiven) {

@@ -65,6 +65,19 @@ const std::vector<Mistake> outputs = {
      "outputs.probes[1].history[0]", "remember nothing"},
     {"SnapshotHistoryOfLawsThatRememberNothing", [](Scene& s) { s.outputs.snapshot_history = {"damage"}; },
      "outputs.snapshot_history[0]", "remember nothing"},
+    {"ReactionOfNothing", [](Scene& s) { s.outputs.reactions = {"clap"}; }, "outputs.reactions[0]",
+     "no boundary condition", "did you mean \"clamp\"?"},
+    {"ReactionGivenTwice",
+     [](Scene& s) {
+       s.outputs.reactions = {"clamp", "shaker", "clamp"};
+     },
+     "outputs.reactions[2]", "twice"},
+    {"ReactionOfAPeriod",
+     [](Scene& s) {
+       s.boundaries[1] = {"ring", {}, Periodic{Axis::x}};
+       s.outputs.reactions = {"ring"};
+     },
+     "outputs.reactions[0]", "has no reaction"},
     {"ProbeAtInfinity",
      [](Scene& s) {
        s.outputs.probes[0].where = Vector{infinity, 0};

@@ -141,6 +141,38 @@ const std::vector<Mistake> materials = {
        s.materials[0].parameters = {{"c1", 10}, {"c2", 10}, {"bulk_modulus", 50}};
      },
      "materials[0].mooney_rivlin", "bulk_modulus is less", "at least 66.6"},
+    {"DamageOfWhatIsNotElastic",
+     [](Scene& s) {
+       s.materials[0].law = "von_mises";
+       s.materials[0].parameters["yield_stress"] = 10;
+       s.materials[0].damage = {{"compressive_strength", 10}, {"shape", 3}};
+     },
+     "materials[0].damage", "not elastic"},
+    {"DamageWithoutShape",
+     [](Scene& s) {
+       s.materials[0].damage = {{"compressive_strength", 10}};
+     },
+     "materials[0].damage.shape", "not given"},
+    {"DamageWithoutStrength",
+     [](Scene& s) {
+       s.materials[0].damage = {{"shape", 3}};
+     },
+     "materials[0].linear_elastic", "neither compressive_strength nor tensile_strength"},
+    {"DamageOfNegativeShape",
+     [](Scene& s) {
+       s.materials[0].damage = {{"tensile_strength", 10}, {"shape", -3}};
+     },
+     "materials[0].damage.shape", "out of range"},
+    {"DamageByAnUnknownParameter",
+     [](Scene& s) {
+       s.materials[0].damage = {{"tensile_strength", 10}, {"shape", 3}, {"sed", 1}};
+     },
+     "materials[0].damage.sed", "no parameter", "did you mean \"seed\"?"},
+    {"PoresThatNothingCloses",
+     [](Scene& s) {
+       s.materials[0].damage = {{"tensile_strength", 10}, {"shape", 3}, {"open_stiffness", 0.5}};
+     },
+     "materials[0].linear_elastic", "one alone has no effect"},
     {"OrthotropicLawWithoutPositiveEnergy",
      [](Scene& s) {
        s.materials[0].law = "orthotropic_elastic";
@@ -169,7 +201,8 @@ const std::vector<Mistake> numerics = {
      "no shape function \"cubic\"", "the shape functions are: "},
     {"UnknownTransfer", [](Scene& s) { s.numerics.transfer = "XPIK"; }, "numerics.transfer",
      "no transfer \"XPIK\"", "did you mean \"XPIC\"?"},
-    {"OrderOfNothing", [](Scene& s) { s.numerics.transfer_order = 3; }, "numerics.transfer_order", "have an order"},
+    {"OrderOfNothing", [](Scene& s) { s.numerics.transfer_order = 3; }, "numerics.transfer_order",
+     "have an order"},
     {"OrderZero",
      [](Scene& s) {
        s.numerics.transfer = "FMPM";

@@ -142,6 +142,7 @@ TEST_F(EveryField, KeepsOutputs) {
   EXPECT_EQ(scene_.outputs.samples, 300);
   EXPECT_EQ(scene_.outputs.snapshots, 30);
   EXPECT_THAT(scene_.outputs.snapshot_fields, ElementsAre(Field::velocity, Field::unspecified));
+  EXPECT_THAT(scene_.outputs.reactions, ElementsAre("clamp", "pin"));
   ASSERT_EQ(scene_.outputs.probes.size(), 4u);
   const ProbeDefinition& tip = scene_.outputs.probes[0];
   EXPECT_EQ(tip.name, "tip");

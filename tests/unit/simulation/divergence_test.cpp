@@ -67,5 +67,19 @@ TEST(Leaving, TheDomainIsDivergence) {
   EXPECT_LT(x, 0.01 + 0.5 * result.divergence->time + 0.02);
 }
 
+TEST(Rest, ThatCannotBeFreedOfItsStressIsDivergence) {
+  Scene scene = test::discs(0.04);
+  scene.domain.dimension = Dimension::plane_stress;
+  scene.materials = {test::material("neo_hookean", 1000, 0.3, 1000)};
+  // The stretch across is some 1e-20 then, and Newton's method takes steps of order one in its logarithm.
+  scene.bodies[0].initial_deformation.components = {"1e30"};
+  const Model model = validate(scene);
+  test::Memory memory;
+  const RunResult result = run(model, {}, memory, nullptr);
+  ASSERT_EQ(result.end, RunEnd::diverged);
+  EXPECT_THAT(result.divergence->cause, HasSubstr("frees a particle of the stress across it"));
+  EXPECT_THAT(result.divergence->remedy, HasSubstr("a material that bears such a deformation"));
+}
+
 }  // namespace
 }  // namespace trajan

@@ -29,6 +29,35 @@ struct Probed {
   test::Memory memory;
 };
 
+TEST(Fields, TellWhatALawRemembers) {
+  // Every node of a bar moves as its place says, so that the strain rate is 0.01 everywhere.
+  Scene scene = test::bar("MUSL", "linear_elastic", 0.5, 0);
+  scene.domain = {Dimension::bar, {-2, 0}, {14, 0}, 0.5};
+  scene.bodies[0].geometry = Box{{0, 0}, {10, 0}};
+  scene.bodies[0].initial_velocity.x = "0.01*x";
+  scene.boundaries = {{"all", Box{{-2, 0}, {14, 0}}, PrescribedVelocity{{"0.01*x"}}}};
+  scene.materials[0] = {
+      "solid",
+      1,
+      "von_mises",
+      {{"youngs_modulus", 100}, {"poissons_ratio", 0.3}, {"yield_stress", 1}, {"hardening_modulus", 25}}};
+  scene.outputs.probes = {
+      {"mean", Region{Box{{2, 0}, {8, 0}}}, {Field::stress}, "", {"equivalent_plastic_strain"}},
+      {"most", Region{Box{{2, 0}, {8, 0}}}, {}, "", {"equivalent_plastic_strain"}, Statistic::largest}};
+  const Probed probed(scene);
+  ASSERT_EQ(probed.memory.rows.size(), 41u);
+  for (std::size_t row = 0; row < probed.memory.rows.size(); ++row) {
+    // Strain is the logarithm of the stretch, whose rate is that of an exponential function. Beyond yield the
+    // plastic part of a further strain is E / (E + H).
+    const double strain = 0.01 * probed.memory.times[row], plastic = std::max(0.0, (strain - 0.01) * 100 / 125);
+    // Steps end where the mid-step strain of the third order in their size is not that of the logarithm.
+    EXPECT_NEAR(probed(row, "equivalent_plastic_strain"), plastic, 1e-6);
+    EXPECT_NEAR(probed(row, "stress.xx"), 100 * (strain - plastic), 1e-4);
+    EXPECT_EQ(probed.memory.rows[row][test::column(probed.model, "most.equivalent_plastic_strain")],
+              probed(row, "equivalent_plastic_strain"));
+  }
+}
+
 TEST(Fields, FollowFromStressAndDeformationGradient) {
   const Probed probed(swinging_bar());
   double largest_strain = 0;
