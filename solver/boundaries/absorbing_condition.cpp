@@ -14,7 +14,7 @@ AbsorbingCondition::AbsorbingCondition(const Model& model, const AbsorbingSurfac
 Reaction AbsorbingCondition::act(Tiles& tiles, const HeldComponents& held) {
   Reaction reaction;
   for (int axis = 0; axis < axes_; ++axis) {
-    const double impedance = axis == surface_.normal ? surface_.normal_impedance : surface_.shear_impedance;
+    const double impedance = surface_.impedance[static_cast<std::size_t>(axis)];
     for (const SurfaceMean& part : means_) {
       const Mean after = mean(tiles, held, part, node_velocity, axis);
       const Mean rate = mean(tiles, held, part, node_acceleration, axis);

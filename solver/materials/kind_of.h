@@ -2,41 +2,56 @@
 
 #include <cmath>
 
+#include "solver/materials/acoustic_tensor.h"
 #include "solver/materials/material.h"
-#include "solver/materials/wave_modulus.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
+/// of(d) with d() the dimension, known when it is compiled; solid if it is not specified.
+template <class Of>
+auto in_dimension(Dimension dimension, Of&& of) {
+  switch (dimension) {
+    case Dimension::bar:
+      return of(std::integral_constant<Dimension, Dimension::bar>());
+    case Dimension::plane_stress:
+      return of(std::integral_constant<Dimension, Dimension::plane_stress>());
+    case Dimension::plane_strain:
+      return of(std::integral_constant<Dimension, Dimension::plane_strain>());
+    case Dimension::axisymmetric:
+      return of(std::integral_constant<Dimension, Dimension::axisymmetric>());
+    default:
+      return of(std::integral_constant<Dimension, Dimension::solid>());
+  }
+}
+
 template <AnyLaw Law>
 double wave_speed_at_rest(std::span<const double> values, double density, Dimension dimension) {
   const Law law(values.data(), density);
-  double modulus = 0;
-  switch (dimension) {
-    case Dimension::bar:
-      modulus = wave_modulus_at_rest<Dimension::bar>(law);
-      break;
-    case Dimension::plane_stress:
-      modulus = wave_modulus_at_rest<Dimension::plane_stress>(law);
-      break;
-    case Dimension::plane_strain:
-      modulus = wave_modulus_at_rest<Dimension::plane_strain>(law);
-      break;
-    case Dimension::axisymmetric:
-      modulus = wave_modulus_at_rest<Dimension::axisymmetric>(law);
-      break;
-    case Dimension::solid:
-    case Dimension::unspecified:
-      modulus = wave_modulus_at_rest<Dimension::solid>(law);
-  }
+  const double modulus = in_dimension(dimension, [&](auto d) { return wave_modulus_at_rest<d()>(law); });
   return std::sqrt(modulus / density);
+}
+
+template <AnyLaw Law>
+void acoustic_tensor(std::span<const double> values, double density, Dimension dimension, int axis,
+                     std::span<double> out) {
+  const Law law(values.data(), density);
+  in_dimension(dimension, [&](auto d) { acoustic_tensor_at_rest<d()>(law, axis, out); });
 }
 
 /// The law's row in the registry.
 template <AnyLaw Law>
 MaterialKind kind_of() {
-  MaterialKind kind{Law::name, Law::source, Law::rate_form, Law::parameters, {}, &wave_speed_at_rest<Law>, {},
-                    {},        {}};
+  MaterialKind kind{Law::name,
+                    Law::source,
+                    Law::rate_form,
+                    Law::parameters,
+                    {},
+                    &wave_speed_at_rest<Law>,
+                    &acoustic_tensor<Law>,
+                    {},
+                    {},
+                    {}};
   if constexpr (requires { Law::history; }) kind.history = Law::history;
   if constexpr (requires(const Law& law) { law.diffusivity(); })
     kind.diffusivity = [](std::span<const double> values, double density) {

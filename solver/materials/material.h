@@ -56,6 +56,10 @@ struct MaterialKind {
   std::span<const HistoryVariable> history;  ///< what particles of the material remember
   /// Speed of the fastest wave at rest (consistent units) for a mass density at rest.
   double (*wave_speed)(std::span<const double> values, double density, Dimension dimension);
+  /// The acoustic tensor at rest for waves along a grid axis, axes x axes: traction on a plane normal to the axis
+  /// by the gradient of displacement along it.
+  void (*acoustic_tensor)(std::span<const double> values, double density, Dimension dimension, int axis,
+                          std::span<double> out);
   /// By which momentum diffuses, length^2 per time; nullptr: it does not.
   double (*diffusivity)(std::span<const double> values, double density);
   /// What is wrong with values that are each in their range.

@@ -49,12 +49,11 @@ struct HeldSurface {
   VectorFormula displacement;  ///< of t
 };
 
-/// Dashpots: traction per velocity.
+/// Dashpots.
 struct AbsorbingSurface {
   std::vector<SurfacePoint> points;
-  int normal = 0;               ///< axis
-  double normal_impedance = 0;  ///< density times speed of compression waves
-  double shear_impedance = 0;
+  int normal = 0;                     ///< axis
+  std::array<double, 3> impedance{};  ///< by axis, traction per velocity: density times wave speed
 };
 
 struct BoundaryCondition {

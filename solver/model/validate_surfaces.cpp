@@ -12,12 +12,8 @@ namespace {
 /// Searching the particles nearest to a rim takes time with the rows of the body.
 constexpr double most_rim_work = 1e8;
 
-/// Shear modulus of an isotropic solid from Young's modulus E and that of compression waves M, of the two
-/// that there are the one of a Poisson's ratio that is not negative: 4 G^2 - (3 M + E) G + E M = 0.
-double shear_modulus(double e, double m) {
-  const double sum = 3 * m + e;
-  return (sum - std::sqrt(std::max(0.0, sum * sum - 16 * e * m))) / 8;
-}
+/// Shares of the largest component of an acoustic tensor that are rounding.
+constexpr double rounding = 1e-12;
 
 }  // namespace
 
@@ -110,13 +106,21 @@ AbsorbingSurface Validator::check_absorbing(const std::string& path, const Absor
   if (model_.bodies[body->second].material >= model_.materials.size()) return surface;
   const Material& material = model_.materials[model_.bodies[body->second].material];
   if (!material.kind) return surface;
-  const auto modulus = [&](Dimension dimension) {
-    const double speed = material.kind->wave_speed(material.parameters, material.density, dimension);
-    return material.density * speed * speed;
-  };
-  const double shear = shear_modulus(modulus(Dimension::bar), modulus(Dimension::plane_strain));
-  surface.normal_impedance = std::sqrt(material.density * modulus(model_.dimension));
-  surface.shear_impedance = std::sqrt(material.density * shear);
+  const auto n = static_cast<std::size_t>(axes());
+  std::array<double, 9> tensor{};
+  material.kind->acoustic_tensor(material.parameters, material.density, model_.dimension, surface.normal, tensor);
+  const double largest = *std::ranges::max_element(tensor);
+  bool inclined = false;
+  for (std::size_t i = 0; i < n * n; ++i)
+    if (i % n == i / n)
+      surface.impedance[i % n] = std::sqrt(material.density * std::max(0.0, tensor[i]));
+    else
+      inclined = inclined || std::abs(tensor[i]) > rounding * largest;
+  if (inclined)
+    violations_.add(
+        path + ".surface", "",
+        "the material's axes are inclined to the edge, at which no wave moves along or across it alone",
+        "choose an edge along the material's axes, or turn these");
   return surface;
 }
 

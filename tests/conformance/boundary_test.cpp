@@ -363,9 +363,9 @@ double balance_error(Scene scene, double time_step_fraction) {
 
 TEST_P(Boundaries, DoWorkThatIsInTheBalanceOfEnergy) {
   const double coarse = balance_error(block(), 0.4), fine = balance_error(block(), 0.1);
-  // Leapfrog's error and that of mapping, which comes with each change of velocity, vanish with the step. Mapping
-  // leaves a thousandth at this resolution.
-  EXPECT_LT(fine, std::max(coarse / 2, 1e-3));
+  // Leapfrog's error and that of mapping, which comes with each change of velocity, vanish with the step. What
+  // sliding nodes of lumped mass leave at this resolution is below a hundredth; the work of what moves is ten.
+  EXPECT_LT(fine, std::max(coarse / 2, 0.01));
   EXPECT_LT(coarse, 0.1);
 }
 

@@ -202,6 +202,29 @@ TEST_P(Law, HasTheWaveSpeedOfItsRegistryAtRest) {
   });
 }
 
+TEST_P(Law, HasAnAcousticTensorWhoseFastestWaveIsThatOfTheRegistry) {
+  for_each_sample([&](const std::vector<double>& parameters) {
+    const double density = 2.5, speed = kind().wave_speed(parameters, density, dimension());
+    const double modulus = density * speed * speed, rounding = 64 * epsilon * largest_modulus;
+    const auto n = static_cast<std::size_t>(grid_axes(dimension()));
+    double largest = 0;
+    for (std::size_t axis = 0; axis < n; ++axis) {
+      std::array<double, 9> tensor{};
+      kind().acoustic_tensor(parameters, density, dimension(), static_cast<int>(axis), tensor);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) {
+          EXPECT_NEAR(tensor[n * i + j], tensor[n * j + i], rounding);
+          // Waves along grid axes are not faster than the fastest of all.
+          EXPECT_LE(tensor[n * i + j], modulus + rounding);
+        }
+      largest = std::max(largest, tensor[n * axis + axis]);
+    }
+    if (traits_of(kind()).isotropic) {
+      EXPECT_NEAR(largest, modulus, rounding);
+    }
+  });
+}
+
 TEST_P(Law, CountsDeformationsWithoutAPositiveDeterminant) {
   const std::vector<double> parameters = sample_parameters(kind()).front();
   const double nothing = std::numeric_limits<double>::quiet_NaN();

@@ -84,6 +84,24 @@ TEST(Hinges, HoldAPatchAloneAndLetTheRestTurn) {
   EXPECT_NEAR(run.last("momentum.y"), -2 * rate * 0.5, 0.05 * 2 * rate * 0.5);
 }
 
+TEST(Hinges, CarryABodyThroughCellsWithoutAStrain) {
+  for (const char* scheme : {"USL", "MUSL", "TLMPM"})
+    for (const HingeKind kind : {HingeKind::whole, HingeKind::mean}) {
+      Scene scene = block();
+      scene.numerics.scheme = scheme;
+      Hinge hinge = test::hinge(test::surface("block", Edge::left), kind);
+      hinge.displacement = {"1.3*t", "0.7*t"};
+      scene.boundaries = {{"carrier", {}, hinge}};
+      scene.bodies[0].initial_velocity = {"1.3", "0.7"};
+      scene.analysis.end_time = 2;
+      const Histories run(scene);
+      // Strains are rounded in every step, and the modulus of 1000 makes momentum of it.
+      EXPECT_NEAR(run.last("momentum.x"), 2.6, 1000 * epsilon * run.steps()) << scheme;
+      EXPECT_NEAR(run.last("momentum.y"), 1.4, 1000 * epsilon * run.steps()) << scheme;
+      EXPECT_NEAR(run.last("energies.strain"), 0, 1000 * epsilon * run.steps()) << scheme;
+    }
+}
+
 /// A pulse that runs along a bar.
 Scene pulse(Dimension dimension, const std::string& scheme, double offset) {
   Scene scene;
