@@ -36,7 +36,13 @@ void Validator::check_implicit_choices() {
     if (std::holds_alternative<Absorbing>(condition))
       violations_.add(path + "absorbing", "", "dashpots are for explicit time steps",
                       "leave it out, or choose explicit_dynamics");
+    if (std::holds_alternative<Periodic>(condition))
+      violations_.add(path + "periodic", "", "analyses that solve for displacements know no periodic axes",
+                      "hold the body's ends, or choose explicit_dynamics");
   }
+  if (!scene_.outputs.reactions.empty())
+    violations_.add("outputs.reactions", "", "reactions are recorded of explicit time steps",
+                    "leave it out, or choose explicit_dynamics");
 }
 
 void Validator::check_statics() {

@@ -15,6 +15,14 @@ Scene with_period(Scene scene) {
   return scene;
 }
 
+/// The same scene in equilibrium.
+Scene at_rest(Scene scene) {
+  scene.analysis.kind = QuasiStatic{};
+  scene.analysis.damping = 0;
+  scene.bodies[1].initial_velocity = {};
+  return scene;
+}
+
 TEST(ValidateBodies, MayOverlap) {
   Scene scene = sample_scene();
   scene.bodies[1].geometry = Disc{{4, 0.5}, 0.4};
@@ -245,6 +253,14 @@ const std::vector<Mistake> boundaries = {
        s.boundaries[0] = {"wall", {}, RigidPlane{{0, 0}, {1, 1}, {}}};
      },
      "boundaries[0].rigid_plane.normal.x", "no half-space"},
+    {"PeriodOfAnAnalysisWithoutExplicitSteps", [](Scene& s) { s = at_rest(with_period(s)); },
+     "boundaries[1].periodic", "solve for displacements"},
+    {"ReactionsOfAnAnalysisWithoutExplicitSteps",
+     [](Scene& s) {
+       s = at_rest(s);
+       s.outputs.reactions = {"clamp"};
+     },
+     "outputs.reactions", "explicit time steps"},
     {"SameName", [](Scene& s) { s.boundaries[1].name = "clamp"; }, "boundaries[1].name", "earlier"},
 };
 
