@@ -19,6 +19,10 @@ BodyDefinition to_body(const v1::Body& message) {
   return body;
 }
 
+BodyContact to_contact(const v1::BodyContact& message) {
+  return {{message.bodies().begin(), message.bodies().end()}, message.friction()};
+}
+
 Numerics to_numerics(const v1::Numerics& message) {
   Numerics numerics;
   if (!message.scheme().empty()) numerics.scheme = message.scheme();
@@ -49,6 +53,7 @@ Scene to_scene(const v1::Scene& message) {
   scene.numerics = to_numerics(message.numerics());
   scene.outputs = to_outputs(message.outputs());
   scene.measures = convert_all(message.measures(), to_measure);
+  scene.contacts = convert_all(message.contacts(), to_contact);
   return scene;
 }
 

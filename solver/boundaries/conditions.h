@@ -34,6 +34,8 @@ class Conditions {
   /// Makes a correction of a tile's velocities or accelerations zero where these are prescribed. `vector`: its
   /// components one after the other.
   void hold(std::size_t tile, double* vector) const;
+  /// Components that are prescribed; empty: there are no conditions.
+  const HeldComponents& held() const { return held_; }
   /// Moves surface points; to be called before the particles move.
   void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
   /// What displacements between two times must be. Throws FormulaNotFinite.

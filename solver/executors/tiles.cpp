@@ -9,6 +9,12 @@ bool before(const TileIndex& a, const TileIndex& b) {
   return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
 }
 
+namespace {
+
+bool tile_before(const Tile& a, const Tile& b) { return a.at != b.at ? before(a.at, b.at) : a.field < b.field; }
+
+}  // namespace
+
 /// Adds the tiles that own nodes of an occupied tile's window which its particles can reach.
 void Tiles::add_reached(const OccupiedTile& tile) {
   TileIndex down{}, up{};
@@ -22,6 +28,7 @@ void Tiles::add_reached(const OccupiedTile& tile) {
     for (int y = down[1]; y <= up[1]; ++y)
       for (int x = down[0]; x <= up[0]; ++x) {
         Tile reached;
+        reached.field = tile.field;
         reached.at = wrapped({tile.at[0] + x, tile.at[1] + y, tile.at[2] + z});
         tiles_.push_back(reached);
       }
@@ -31,7 +38,7 @@ void Tiles::find_neighbours(Tile& tile) const {
   for (int n = 0; n < layout_.neighbours; ++n) {
     TileIndex at = tile.at;
     for (int axis = 0, rest = n; axis < layout_.dimensions; ++axis, rest /= 3) at[axis] += rest % 3 - 1;
-    tile.around[n] = find(wrapped(at));
+    tile.around[n] = find(wrapped(at), tile.field);
   }
 }
 
@@ -39,15 +46,15 @@ void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRan
                     std::span<const std::uint32_t> blocks_of) {
   tiles_.clear();
   for (const OccupiedTile& tile : occupied) add_reached(tile);
-  std::sort(tiles_.begin(), tiles_.end(), [](const Tile& a, const Tile& b) { return before(a.at, b.at); });
-  const auto same = [](const Tile& a, const Tile& b) { return a.at == b.at; };
+  std::sort(tiles_.begin(), tiles_.end(), tile_before);
+  const auto same = [](const Tile& a, const Tile& b) { return a.at == b.at && a.field == b.field; };
   tiles_.erase(std::unique(tiles_.begin(), tiles_.end(), same), tiles_.end());
   tiles_.shrink_to_fit();
 
   blocks_ = std::move(blocks);
   std::uint32_t block = 0;
   for (std::size_t i = 0; i < occupied.size(); ++i) {
-    Tile& tile = tiles_[static_cast<std::size_t>(find(occupied[i].at))];
+    Tile& tile = tiles_[static_cast<std::size_t>(find(occupied[i].at, occupied[i].field))];
     tile.cells = occupied[i].cells;
     tile.window = static_cast<std::int32_t>(i);
     tile.first_block = block;
@@ -83,11 +90,12 @@ TileIndex Tiles::wrapped(TileIndex at) const {
   return at;
 }
 
-std::int32_t Tiles::find(const TileIndex& at) const {
-  const auto found =
-      std::lower_bound(tiles_.begin(), tiles_.end(), at,
-                       [](const Tile& tile, const TileIndex& wanted) { return before(tile.at, wanted); });
-  if (found == tiles_.end() || found->at != at) return -1;
+std::int32_t Tiles::find(const TileIndex& at, std::uint32_t field) const {
+  Tile wanted;
+  wanted.at = at;
+  wanted.field = field;
+  const auto found = std::lower_bound(tiles_.begin(), tiles_.end(), wanted, tile_before);
+  if (found == tiles_.end() || found->at != at || found->field != field) return -1;
   return static_cast<std::int32_t>(found - tiles_.begin());
 }
 

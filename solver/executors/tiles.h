@@ -26,15 +26,18 @@ struct BlockRange {
   std::uint16_t body = 0;
 };
 
-/// A tile that has particles: its place in units of tiles, where in its window they may be.
+/// A tile that has particles: its place in units of tiles, the velocity field that they share, where in its window
+/// they may be.
 struct OccupiedTile {
   TileIndex at{};
+  std::uint32_t field = 0;
   CellRange cells;
 };
 
 struct Tile {
   TileIndex at{};
-  /// Indices of the tiles around, x fastest, the tile itself in the middle; -1: does not exist.
+  std::uint32_t field = 0;
+  /// Indices of the field's tiles around, x fastest, the tile itself in the middle; -1: does not exist.
   std::array<std::int32_t, most_neighbours> around{};
   CellRange cells;
   std::int32_t window = -1;                       ///< index of its sums; -1: no particles
@@ -46,7 +49,8 @@ bool before(const TileIndex& a, const TileIndex& b);
 
 using Neighbours = std::array<const double*, most_neighbours>;
 
-/// The part of the background grid that exists, in order.
+/// The part of the background grid that exists, in order. Each velocity field has tiles of its own: those in the
+/// same place follow each other.
 class Tiles {
  public:
   /// `node_quantities`: how many arrays a tile's nodes have; `sum_quantities`: how many a window has;
@@ -75,7 +79,7 @@ class Tiles {
   /// The tile that stands for one which the grid repeats.
   TileIndex wrapped(TileIndex at) const;
   /// Index of a tile, -1 if it does not exist.
-  std::int32_t find(const TileIndex& at) const;
+  std::int32_t find(const TileIndex& at, std::uint32_t field = 0) const;
   /// Contiguous shares of the tiles for `threads` threads, of about equal work: threads + 1 bounds.
   std::vector<std::size_t> shares(int threads) const;
   std::size_t memory() const;

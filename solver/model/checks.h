@@ -25,6 +25,7 @@ class Checks {
   static constexpr std::size_t most_formula_characters = 200'000;  ///< of all formulas together
   static constexpr double most_load_points = 1e6;
   static constexpr double most_history_values = 1e9;
+  static constexpr std::size_t most_contact_pairs = 1'000'000;
   static constexpr double node_tolerance = 1e-9;  ///< cell sizes
   static constexpr int history_checks = 256;      ///< times at which formulas of t are looked at
 
@@ -70,6 +71,8 @@ class Checks {
   static Formula zero() { return {Expression("0", "t", {}), "", true}; }
   /// Index of the body of this name; says so if there is none.
   std::optional<std::size_t> find_body(const std::string& path, const std::string& name);
+  /// Indices of the bodies of these names, each once; of all bodies if there are none.
+  std::vector<std::size_t> named_bodies(const std::string& path, const std::vector<std::string>& names);
   /// There is no `what` of this name; `known` are those that there are.
   void unknown_name(const std::string& path, const std::string& name, const std::string& what,
                     const std::vector<std::string>& known);

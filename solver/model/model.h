@@ -9,6 +9,7 @@
 
 #include "solver/materials/material.h"
 #include "solver/model/boundaries.h"
+#include "solver/model/contacts.h"
 #include "solver/model/expression.h"
 #include "solver/model/fields.h"
 #include "solver/model/lattice.h"
@@ -92,6 +93,7 @@ class Model {
   std::vector<Material> materials;
   std::vector<Body> bodies;
   std::vector<BoundaryCondition> conditions;  ///< in the order of the scene
+  ContactPlan contacts;
   std::vector<SurfaceLoad> surface_loads;
   std::vector<BodyLoad> body_loads;
   double end_time = 0;

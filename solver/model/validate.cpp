@@ -22,6 +22,7 @@ Model Validator::run() {
   check_materials();
   check_bodies();
   check_boundaries();
+  check_contacts();
   check_analysis();
   check_loads();
   check_numerics();

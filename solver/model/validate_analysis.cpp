@@ -24,6 +24,9 @@ void Validator::check_implicit_choices() {
   if (numerics.time_step) refuse("numerics.time_step", number_text(*numerics.time_step), "leave it out");
   if (numerics.time_step_fraction != Numerics{}.time_step_fraction)
     refuse("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "leave it out");
+  if (!scene_.contacts.empty())
+    violations_.add("contacts", "", "contact is for explicit time steps",
+                    "leave them out, or choose explicit_dynamics");
   for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
     const auto& condition = scene_.boundaries[i].condition;
     const std::string path = indexed("boundaries", i) + ".";

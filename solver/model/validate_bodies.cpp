@@ -115,6 +115,25 @@ std::optional<std::size_t> Checks::find_body(const std::string& path, const std:
   return std::nullopt;
 }
 
+std::vector<std::size_t> Checks::named_bodies(const std::string& path, const std::vector<std::string>& names) {
+  std::vector<std::size_t> bodies;
+  if (names.size() > most_entries) {
+    violations_.add(path, std::to_string(names.size()) + " entries", "the list is too long",
+                    "give at most " + std::to_string(most_entries));
+    return bodies;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto body = find_body(indexed(path, i), names[i]);
+    if (!body) continue;
+    if (std::ranges::find(bodies, *body) != bodies.end()) {
+      violations_.add(indexed(path, i), names[i], quoted(names[i]) + " is named twice", "name each body once");
+    }
+    bodies.push_back(*body);
+  }
+  for (std::size_t i = 0; names.empty() && i < model_.bodies.size(); ++i) bodies.push_back(i);
+  return bodies;
+}
+
 bool Checks::is_complete(std::size_t body) const { return body < body_complete_.size() && body_complete_[body]; }
 
 }  // namespace trajan

@@ -145,7 +145,7 @@ std::vector<std::pair<SurfacePoint, double>> Validator::with_profile(const std::
 BodyLoad Validator::body_load(const std::string& path, const BodyForce& force) {
   BodyLoad load;
   load.acceleration = force.acceleration;
-  load.bodies = loaded_bodies(path, force);
+  load.bodies = named_bodies(path + ".bodies", force.bodies);
   load.reference = force.reference;
   const bool given = force.field.x || force.field.y || force.field.z;
   if (!given) return load;
@@ -159,26 +159,6 @@ BodyLoad Validator::body_load(const std::string& path, const BodyForce& force) {
   field(path + ".field", force.field, place_variables() + "t", place,
         {&load.field[0], &load.field[1], &load.field[2]});
   return load;
-}
-
-std::vector<std::size_t> Validator::loaded_bodies(const std::string& path, const BodyForce& force) {
-  std::vector<std::size_t> bodies;
-  if (force.bodies.size() > most_entries) {
-    violations_.add(path + ".bodies", std::to_string(force.bodies.size()) + " entries", "the list is too long",
-                    "give at most " + std::to_string(most_entries));
-    return bodies;
-  }
-  for (std::size_t i = 0; i < force.bodies.size(); ++i) {
-    const auto body = find_body(indexed(path + ".bodies", i), force.bodies[i]);
-    if (!body) continue;
-    if (std::ranges::find(bodies, *body) != bodies.end()) {
-      violations_.add(indexed(path + ".bodies", i), force.bodies[i], quoted(force.bodies[i]) + " is named twice",
-                      "name each body once");
-    }
-    bodies.push_back(*body);
-  }
-  for (std::size_t i = 0; force.bodies.empty() && i < model_.bodies.size(); ++i) bodies.push_back(i);
-  return bodies;
 }
 
 std::optional<TimeFunction> Validator::time_function(const std::string& path,

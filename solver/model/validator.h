@@ -38,6 +38,7 @@ class Validator : private Checks {
   bool fill_body(const std::string& path, const BodyDefinition& definition, Body& body);
   std::string box_text(const Box& box) const;
   void check_boundaries();
+  void check_contacts();
   void check_boundary(const std::string& path, const BoundaryDefinition& definition);
   /// Says which axes are periodic before other conditions are looked at.
   void check_periods();
@@ -78,7 +79,6 @@ class Validator : private Checks {
   std::vector<std::pair<SurfacePoint, double>> with_profile(const std::string& path, const std::string& profile,
                                                             const std::vector<SurfacePoint>& points);
   BodyLoad body_load(const std::string& path, const BodyForce& force);
-  std::vector<std::size_t> loaded_bodies(const std::string& path, const BodyForce& force);
   std::optional<TimeFunction> time_function(const std::string& path, const TimeFunctionDefinition& definition);
   void check_analysis();
   void check_kind(const ExplicitDynamics&) {}

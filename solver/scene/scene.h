@@ -9,6 +9,7 @@
 
 #include "solver/scene/analysis.h"
 #include "solver/scene/boundaries.h"
+#include "solver/scene/contacts.h"
 #include "solver/scene/geometry.h"
 #include "solver/scene/loads.h"
 #include "solver/scene/outputs.h"
@@ -88,6 +89,7 @@ struct Scene {
   Numerics numerics;
   Outputs outputs;
   std::vector<MeasureDefinition> measures;
+  std::vector<BodyContact> contacts = {};
 };
 
 }  // namespace trajan

@@ -37,20 +37,22 @@ std::vector<std::int64_t> pack(std::span<const BlockRange> blocks) {
   return packed;
 }
 
-void unpack(const Checkpoint& checkpoint, Tiles& tiles) {
-  std::vector<OccupiedTile> occupied;
-  std::vector<std::uint32_t> blocks_of;
-  const auto& t = array<std::int32_t>(checkpoint, "tiles");
-  for (std::size_t i = 0; i + 10 <= t.size(); i += 10) {
-    const auto part = [&](std::size_t from) { return TileIndex{t[i + from], t[i + from + 1], t[i + from + 2]}; };
-    occupied.push_back({part(0), {part(3), part(6)}});
-    blocks_of.push_back(static_cast<std::uint32_t>(t[i + 9]));
-  }
+void unpack(const Checkpoint& checkpoint, const std::vector<BodyParticles>& bodies, Tiles& tiles) {
   std::vector<BlockRange> blocks;
   const auto& b = array<std::int64_t>(checkpoint, "blocks");
   for (std::size_t i = 0; i + 3 <= b.size(); i += 3)
     blocks.push_back({static_cast<std::uint32_t>(b[i]), static_cast<std::uint16_t>(b[i + 1]),
                       static_cast<std::uint16_t>(b[i + 2])});
+  std::vector<OccupiedTile> occupied;
+  std::vector<std::uint32_t> blocks_of;
+  std::size_t block = 0;
+  const auto& t = array<std::int32_t>(checkpoint, "tiles");
+  for (std::size_t i = 0; i + 10 <= t.size(); i += 10) {
+    const auto part = [&](std::size_t from) { return TileIndex{t[i + from], t[i + from + 1], t[i + from + 2]}; };
+    occupied.push_back({part(0), bodies[blocks[block].body].field, {part(3), part(6)}});
+    blocks_of.push_back(static_cast<std::uint32_t>(t[i + 9]));
+    block += blocks_of.back();
+  }
   tiles.rebuild(occupied, std::move(blocks), blocks_of);
 }
 
@@ -120,7 +122,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
     const auto& numbers = array<std::int64_t>(checkpoint, array_name(b, "number"));
     body.number.assign(numbers.begin(), numbers.end());
   }
-  unpack(checkpoint, executor_.tiles());
+  unpack(checkpoint, executor_.bodies(), executor_.tiles());
   restore(array<double>(checkpoint, "surface_points"), executor_.riders());
   executor_.bind();
   stepper_ = make_stepper(model, executor_, &checkpoint);

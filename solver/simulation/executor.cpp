@@ -26,6 +26,9 @@ std::vector<Stage> joined(std::initializer_list<std::vector<Stage>> lists) {
   return all;
 }
 
+/// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
+constexpr double least_mass_share = 1e-18;
+
 /// Of the step's drift by which laws deform.
 void take_half(Block& block) { block.scratch->deform_share = 0.5; }
 void take_whole(Block& block) { block.scratch->deform_share = 1; }
@@ -51,6 +54,7 @@ Executor::Executor(const Model& model, int threads)
       pool_(threads),
       bodies_(make_particles(model)),
       conditions_(model),
+      contacts_(model, threads),
       loads_(model),
       tiles_(transfer_.layout, quantities(transfer_kind_.node_vectors, axes_),
              quantities(loads_.none() ? sum_load : sum_vectors, axes_),
@@ -69,7 +73,8 @@ Executor::Executor(const Model& model, int threads)
   }
   sweep_.flip = model.numerics.flip_fraction.value_or(1);
   lightest_particle_ = lightest_particle(bodies_);
-  account_ = !loads_.none() || model.damping > 0 || conditions_.work() || !model.outputs.reactions.empty();
+  account_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
+             !model.outputs.reactions.empty();
   reactions_.assign(conditions_.count(), {});
   const auto window = static_cast<std::size_t>(quantities(transfer_kind_.node_vectors, axes_) *
                                                transfer_.window_copies * transfer_.layout.window_nodes);
@@ -102,9 +107,10 @@ void Executor::begin() {
 void Executor::bind() {
   or_diverge([&] { conditions_.bind(bodies_, tiles_); });
   loads_.bind(bodies_, tiles_);
-  // Conditions on surfaces act between two passes over the tiles, of which the second needs what the first found.
+  contacts_.bind(tiles_);
+  // What acts between two passes over the tiles needs what the first found in the second.
   const std::size_t tiles = tiles_.tiles().size();
-  collected_.resize(conditions_.on_surfaces() ? tiles : scratch_.size());
+  collected_.resize(in_one_pass() ? scratch_.size() : tiles);
   shares_ = tiles_.shares(pool_.size());
   tile_reactions_.assign(tiles * (conditions_.count() + 1), {});
 }
@@ -294,8 +300,6 @@ void Executor::prepare(const StepTimes& times) {
 }
 
 NodeBlock Executor::node_block(std::size_t tile, std::size_t thread) {
-  /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
-  constexpr double least_mass_share = 1e-18;
   NodeBlock block;
   block.nodes = tiles_.nodes(tile);
   block.sums = tiles_.sums_around(tiles_.tiles()[tile]);
@@ -303,7 +307,7 @@ NodeBlock Executor::node_block(std::size_t tile, std::size_t thread) {
   block.kick = times_.kick();
   block.damping = model_.damping;
   block.least_mass = least_mass_share * lightest_particle_;
-  block.collected = &collected_[conditions_.on_surfaces() ? tile : thread];
+  block.collected = &collected_[in_one_pass() ? thread : tile];
   return block;
 }
 
@@ -321,21 +325,28 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
 void Executor::update_velocities(const StepTimes& times, double light_node) {
   prepare(times);
   loads_.add_to(tiles_, bodies_);
-  const bool in_one_pass = !conditions_.on_surfaces();
+  const bool complete_at_once = in_one_pass();
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     transfer_.update_velocities(block);
     std::ranges::fill(reactions_of(tile), Reaction{});
     conditions_.act(tile, reactions_of(tile));
-    if (in_one_pass) complete(block, tile, light_node);
+    if (complete_at_once) complete(block, tile, light_node);
   });
-  if (!in_one_pass) {
+  if (!complete_at_once) {
+    contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
+    const Reaction contact = contacts_.act(pool_, tiles_, conditions_.held(), times.kick());
+    work_ += contact.work;
+    dissipated_ += contact.dissipated;
     conditions_.act_on_surfaces(bodies_, tiles_, reactions_of(0));
     for_each_tile([&](std::size_t tile, std::size_t thread) {
       NodeBlock block = node_block(tile, thread);
       complete(block, tile, light_node);
     });
-    if (light_node > 0) conditions_.act_on_mapped_surfaces(bodies_, tiles_, false);
+    if (light_node > 0) {
+      contacts_.act_on(pool_, tiles_, conditions_.held(), node_mapped_velocity);
+      conditions_.act_on_mapped_surfaces(bodies_, tiles_, false);
+    }
   }
   project(times.drift > 0 ? transfer_passes_.projection : transfer_passes_.projection_at_sample,
           light_node * lightest_particle_);
@@ -361,6 +372,8 @@ void Executor::map_velocities(bool with_mass) {
     transfer_.map_velocities(block);
     conditions_.act_on_mapped(tile);
   });
+  if (with_mass) contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
+  contacts_.act_on(pool_, tiles_, conditions_.held(), node_mapped_velocity);
   conditions_.act_on_mapped_surfaces(bodies_, tiles_, with_mass);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/boundaries/conditions.h"
+#include "solver/contact/body_contacts.h"
 #include "solver/executors/thread_pool.h"
 #include "solver/loads/loads.h"
 #include "solver/simulation/particles.h"
@@ -107,6 +108,8 @@ class Executor {
   /// What the transfer iterates on after the nodes' velocities have been updated. Velocities for gradients
   /// of nodes of less mass are left alone.
   void project(const Projection& projection, double light_mass);
+  /// Whether more is done to nodes after all tiles have their velocities.
+  bool in_one_pass() const { return !conditions_.on_surfaces() && contacts_.places() == 0; }
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
   /// Calls of(tile, thread).
@@ -128,6 +131,7 @@ class Executor {
   ThreadPool pool_;
   std::vector<BodyParticles> bodies_;
   Conditions conditions_;
+  BodyContacts contacts_;
   Loads loads_;
   Tiles tiles_;
   SweepConstants sweep_;

@@ -129,6 +129,7 @@ BodyParticles make_body(const Model& model, std::size_t index) {
   const Material& material = model.materials[body.material];
   made.law_object = made.law->make(material.parameters.data(), material.density);
   made.constants = constants_of(model, body);
+  if (!model.contacts.field_of.empty()) made.field = model.contacts.field_of[index];
   made.constants.law = made.law_object.get();
 
   const auto n = static_cast<std::size_t>(body.particles);
@@ -170,9 +171,12 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
         add({affine(a, b)}, "transfer " + model.numerics.transfer);
   for (Attribute a : law.attributes) add({a}, law_name);
   const bool shapes = kernels().transfer(model.numerics.shape_functions, model.dimension)->needs_deformation;
-  if (shapes || records_deformation(model))
+  const bool contacts = model.contacts.fields > 1;
+  if (shapes || contacts || records_deformation(model))
     for (Attribute a : law.tracked)
-      add({a}, shapes ? "shape functions " + model.numerics.shape_functions : "outputs of strain");
+      add({a}, shapes     ? "shape functions " + model.numerics.shape_functions
+               : contacts ? "contacts"
+                          : "outputs of strain");
   for (int axis = 0; BodyFields::act_on(model, body) && axis < grid_axes(model.dimension); ++axis)
     needs.push_back({static_cast<Attribute>(static_cast<int>(load_x) + axis), "body force of place"});
   return needs;

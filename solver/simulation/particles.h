@@ -17,6 +17,7 @@ namespace trajan {
 /// The particles of one body: one array per attribute that the scene needs, in the order of tiles.
 struct BodyParticles {
   BodyConstants constants;
+  std::uint32_t field = 0;  ///< the velocity field that it shares
   const LawKernels* law = nullptr;
   std::unique_ptr<const void, void (*)(const void*)> law_object{nullptr, [](const void*) {}};
   std::array<std::vector<double>, attribute_count> arrays;  ///< empty: not needed

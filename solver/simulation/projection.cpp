@@ -57,6 +57,10 @@ void Executor::project(const Projection& projection, double light_mass) {
         add_remainder({block.nodes, axes_}, into, into == node_mapped_velocity ? light_mass : 0);
     });
   }
+  // Further terms may make what touches come closer.
+  for (NodeVector into : projection.into)
+    if (into == node_velocity || into == node_mapped_velocity)
+      contacts_.act_on(pool_, tiles_, conditions_.held(), into);
 }
 
 }  // namespace trajan

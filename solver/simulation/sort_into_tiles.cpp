@@ -77,7 +77,7 @@ void permute(std::vector<T>& values, const std::vector<std::uint32_t>& slot_of, 
 /// Particles of one body in one tile, and the cells that they are in.
 struct TileRun {
   TileIndex tile{};
-  std::uint32_t body = 0, begin = 0, end = 0;
+  std::uint32_t field = 0, body = 0, begin = 0, end = 0;
   CellRange cells;
 };
 
@@ -106,7 +106,7 @@ void reorder(const Grid& grid, const Tiles& tiles, BodyParticles& body, std::uin
   for (std::size_t bin = 1; bin < begin.size(); ++bin) begin[bin] += begin[bin - 1];
 
   for (std::size_t t = 0; t < places.tiles.size(); ++t) {
-    TileRun run{places.tiles[t], index, begin[t * tile_nodes], begin[(t + 1) * tile_nodes], {}};
+    TileRun run{places.tiles[t], body.field, index, begin[t * tile_nodes], begin[(t + 1) * tile_nodes], {}};
     bool first = true;
     for (int c = 0; c < tile_nodes; ++c) {
       if (begin[t * tile_nodes + c] == begin[t * tile_nodes + c + 1]) continue;
@@ -133,7 +133,8 @@ void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles
   std::vector<TileRun> runs;
   for (std::uint32_t b = 0; b < bodies.size(); ++b) reorder(grid, tiles, bodies[b], b, runs);
   std::sort(runs.begin(), runs.end(), [](const TileRun& a, const TileRun& b) {
-    return a.tile != b.tile ? before(a.tile, b.tile) : a.body < b.body;
+    if (a.tile != b.tile) return before(a.tile, b.tile);
+    return a.field != b.field ? a.field < b.field : a.body < b.body;
   });
 
   std::vector<OccupiedTile> occupied;
@@ -141,8 +142,8 @@ void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles
   std::vector<BlockRange> blocks;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const TileRun& run = runs[i];
-    if (i == 0 || runs[i - 1].tile != run.tile) {
-      occupied.push_back({run.tile, run.cells});
+    if (i == 0 || runs[i - 1].tile != run.tile || runs[i - 1].field != run.field) {
+      occupied.push_back({run.tile, run.field, run.cells});
       blocks_of.push_back(0);
     }
     include(occupied.back().cells, run.cells);

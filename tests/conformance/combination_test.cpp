@@ -52,10 +52,21 @@ Choices named(std::span<const std::string_view> names, std::string Numerics::*fi
   return choices;
 }
 
-/// All kinds of choices that registries know.
+Choices contacts() {
+  const auto separate = [](const char* name, double friction) {
+    return Choice{name, [friction](Scene& scene) { scene.contacts = {{{}, friction}}; }};
+  };
+  return {separate("frictionless", 0), separate("frictional", 0.3)};
+}
+
+/// All kinds of choices that registries know, and those of contact.
 std::vector<Choices> all_choices() {
-  return {dimensions(), laws(), named(scheme_names(), &Numerics::scheme),
-          named(shape_names(), &Numerics::shape_functions), named(transfer_names(), &Numerics::transfer)};
+  return {dimensions(),
+          laws(),
+          named(scheme_names(), &Numerics::scheme),
+          named(shape_names(), &Numerics::shape_functions),
+          named(transfer_names(), &Numerics::transfer),
+          contacts()};
 }
 
 Vector along_axes(Dimension dimension, double value) {
@@ -83,6 +94,13 @@ Scene scene_of(const std::vector<const Choice*>& choices) {
   body.initial_velocity.x = dimension == Dimension::axisymmetric ? "0.01*sin(pi*x/2)" : "0.2+0.01*sin(pi*x/2)";
   if (grid_axes(dimension) > 1) body.initial_velocity.y = "0.2+0.01*sin(pi*y/2)";
   if (grid_axes(dimension) > 2) body.initial_velocity.z = "0.1";
+  // In scenes with contacts it runs into another one that is at rest.
+  if (!scene.contacts.empty()) {
+    Box beside{along_axes(dimension, 3), along_axes(dimension, 5)};
+    beside.lower.x = 5;
+    beside.upper.x = 6;
+    scene.bodies.push_back({"other", "solid", beside, 2, {}});
+  }
   // Some steps, whatever the wave speed is.
   scene.analysis.end_time = 1e9;
   scene.outputs.samples = 4;

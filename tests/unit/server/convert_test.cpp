@@ -138,6 +138,12 @@ TEST_F(EveryField, KeepsAnalysisAndNumerics) {
   EXPECT_EQ(scene_.numerics.transfer_order, 5);
 }
 
+TEST_F(EveryField, KeepsContacts) {
+  ASSERT_EQ(scene_.contacts.size(), 1u);
+  EXPECT_THAT(scene_.contacts[0].bodies, ElementsAre("beam", "ball"));
+  EXPECT_EQ(scene_.contacts[0].friction, 37.1);
+}
+
 TEST_F(EveryField, KeepsOutputs) {
   EXPECT_EQ(scene_.outputs.samples, 300);
   EXPECT_EQ(scene_.outputs.snapshots, 30);
