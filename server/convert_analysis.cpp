@@ -39,6 +39,13 @@ Newton to_newton(const v1::Newton& message) {
   return newton;
 }
 
+Relaxation to_relaxation(const v1::Relaxation& message) {
+  Relaxation analysis;
+  if (message.has_tolerance()) analysis.tolerance = message.tolerance();
+  if (message.has_most_steps()) analysis.most_steps = message.most_steps();
+  return analysis;
+}
+
 QuasiStatic to_quasi_static(const v1::QuasiStatic& message) {
   QuasiStatic analysis;
   if (message.has_load_steps()) analysis.load_steps = message.load_steps();
@@ -66,7 +73,7 @@ ImplicitDynamics to_implicit_dynamics(const v1::ImplicitDynamics& message) {
 AnalysisKind to_kind(const v1::Analysis& message) {
   switch (message.kind_case()) {
     case v1::Analysis::kRelaxation:
-      return Relaxation{};
+      return to_relaxation(message.relaxation());
     case v1::Analysis::kQuasiStatic:
       return to_quasi_static(message.quasi_static());
     case v1::Analysis::kImplicitDynamics:

@@ -2,6 +2,7 @@
 
 #include "solver/implicit/dynamic_steps.h"
 #include "solver/implicit/quasi_static_steps.h"
+#include "solver/relaxation/dynamic_relaxation.h"
 
 namespace trajan {
 
@@ -10,6 +11,8 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, Executor& executor, co
     return std::make_unique<QuasiStaticSteps>(model, *analysis, executor, resume);
   if (const auto* analysis = std::get_if<ImplicitDynamics>(&model.analysis))
     return std::make_unique<DynamicSteps>(model, *analysis, executor, resume);
+  if (const auto* analysis = std::get_if<Relaxation>(&model.analysis))
+    return std::make_unique<DynamicRelaxation>(model, *analysis, executor, resume);
   return nullptr;
 }
 

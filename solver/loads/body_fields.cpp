@@ -63,7 +63,7 @@ void BodyFields::evaluate(std::vector<BodyParticles>& bodies, double time) const
 
 void BodyFields::add(const BodyLoad& load, std::size_t index, BodyParticles& body, double time) const {
   const int axes = grid_axes(model_.dimension);
-  const double factor = load.time(time);
+  const double factor = load.time(time) / body.inertia;
   const std::vector<Vector>& references = references_[index];
   for (std::size_t slot = 0; slot < body.size(); ++slot) {
     const Vector place = load.reference && !total_lagrangian_

@@ -26,7 +26,7 @@ void Loads::prepare(std::vector<BodyParticles>& bodies, double time) {
     const double factor = load.time(time);
     for (std::size_t b : load.bodies)
       for (int axis = 0; axis < axes_; ++axis)
-        bodies[b].constants.acceleration[axis] += factor * component(load.acceleration, axis);
+        bodies[b].constants.acceleration[axis] += factor / bodies[b].inertia * component(load.acceleration, axis);
   }
 }
 

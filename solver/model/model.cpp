@@ -19,6 +19,8 @@ std::vector<std::string> history_columns(const Model& model) {
   for (std::size_t condition : model.outputs.reactions)
     for (const std::string_view axis : vector_components(model.dimension))
       columns.push_back("reactions." + model.conditions[condition].name + "." + std::string(axis));
+  if (std::holds_alternative<Relaxation>(model.analysis))
+    columns.insert(columns.end(), {"relaxation.residual", "relaxation.steps"});
   return columns;
 }
 

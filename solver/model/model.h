@@ -116,7 +116,8 @@ class Model {
 /// scene ("tip.displacement.x", …), then "energies.kinetic", "energies.strain", "energies.work",
 /// "energies.dissipated", "energies.total", "energies.balance_error", then "momentum.x" and, as far as
 /// vectors have them, "momentum.y" and "momentum.z", then likewise the forces of boundary conditions that are
-/// asked for, "reactions.support.x".
+/// asked for, "reactions.support.x",
+/// and of a relaxation "relaxation.residual" and "relaxation.steps".
 std::vector<std::string> history_columns(const Model& model);
 
 }  // namespace trajan

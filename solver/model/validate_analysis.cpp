@@ -98,10 +98,6 @@ void Validator::check_kind(const ImplicitDynamics& analysis) {
     violations_.add(path + ".mass", "", "there is no such mass matrix", "choose CONSISTENT or LUMPED");
 }
 
-void Validator::check_kind(const Relaxation&) {
-  violations_.add("analysis.relaxation", "", "this solver does not relax", "choose quasi_static");
-}
-
 void Validator::check_kind(const Modal&) {
   violations_.add("analysis.modal", "", "this solver knows no modes", "choose implicit_dynamics");
 }

@@ -82,7 +82,7 @@ class Validator : private Checks {
   std::optional<TimeFunction> time_function(const std::string& path, const TimeFunctionDefinition& definition);
   void check_analysis();
   void check_kind(const ExplicitDynamics&) {}
-  void check_kind(const Relaxation&);
+  void check_kind(const Relaxation& analysis);
   void check_kind(const QuasiStatic& analysis);
   void check_kind(const ImplicitDynamics& analysis);
   void check_kind(const Modal&);

@@ -24,7 +24,10 @@ struct ArcLength {
 
 struct ExplicitDynamics {};
 
-struct Relaxation {};
+struct Relaxation {
+  double tolerance = 1e-5;
+  std::int64_t most_steps = 1000000;
+};
 
 struct QuasiStatic {
   std::int32_t load_steps = 10;

@@ -113,6 +113,7 @@ void Executor::bind() {
   collected_.resize(in_one_pass() ? scratch_.size() : tiles);
   shares_ = tiles_.shares(pool_.size());
   tile_reactions_.assign(tiles * (conditions_.count() + 1), {});
+  tile_balances_.assign(watched_ ? tiles : 0, {});
 }
 
 void Executor::particles(std::initializer_list<Pass> passes) {
@@ -317,6 +318,7 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
     motion_.calm_light_nodes(block);
     conditions_.act_on_mapped(tile);
   }
+  if (watched_) tile_balances_[tile] = trajan::force_balance(block, axes_);
   if (!account_) return;
   motion_.account(block);
   reactions_of(tile).back() = {block.work, block.dissipated, {}};
@@ -350,6 +352,8 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   }
   project(times.drift > 0 ? transfer_passes_.projection : transfer_passes_.projection_at_sample,
           light_node * lightest_particle_);
+  balance_ = {};
+  for (const ForceBalance& of_tile : tile_balances_) balance_ += of_tile;
   if (account_) add_up_reactions();
 }
 

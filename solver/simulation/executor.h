@@ -12,6 +12,7 @@
 #include "solver/contact/body_contacts.h"
 #include "solver/executors/thread_pool.h"
 #include "solver/loads/loads.h"
+#include "solver/simulation/force_balance.h"
 #include "solver/simulation/particles.h"
 #include "solver/simulation/pass.h"
 #include "solver/transfers/transfer.h"
@@ -78,6 +79,18 @@ class Executor {
     work_ = work, dissipated_ = dissipated;
     reactions_ = std::move(reactions);
   }
+
+  /// \name For analyses in which inertia and motion only serve to find a state of rest
+  /// @{
+  /// From now on forces on nodes are balanced whenever velocities are updated.
+  void watch_forces();
+  /// Of the last update of velocities.
+  const ForceBalance& force_balance() const { return balance_; }
+  /// Multiplies the inertia of a body, by which waves become slower; its weight stays.
+  void scale_inertia(std::size_t body, double factor);
+  /// Takes all velocity from the particles; their kinetic energy is dissipated.
+  void halt();
+  /// @}
   std::size_t memory() const;
   /// Throws Diverged at the present step, about the particle that looks worst.
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
@@ -147,6 +160,9 @@ class Executor {
   std::vector<Reaction> tile_reactions_;
   std::vector<Reaction> reactions_;  ///< by condition
   std::vector<Totals> tile_totals_;
+  std::vector<ForceBalance> tile_balances_;
+  ForceBalance balance_;
+  bool watched_ = false;
   double lightest_particle_ = 0;
   bool account_ = false;
   double work_ = 0, dissipated_ = 0;

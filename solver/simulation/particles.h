@@ -22,6 +22,7 @@ struct BodyParticles {
   std::unique_ptr<const void, void (*)(const void*)> law_object{nullptr, [](const void*) {}};
   std::array<std::vector<double>, attribute_count> arrays;  ///< empty: not needed
   std::vector<std::uint32_t> number;                        ///< within the body, by slot
+  double inertia = 1;  ///< by what mass is multiplied where only a state of rest is wanted, but not weight
 
   std::size_t size() const { return number.size(); }
   std::vector<double>& operator[](Attribute a) { return arrays[static_cast<int>(a)]; }

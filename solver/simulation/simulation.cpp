@@ -109,6 +109,7 @@ void Simulation::measure() {
   for (std::size_t condition : model_.outputs.reactions)
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(grid_axes(model_.dimension)); ++axis)
       columns_.push_back(executor_.reactions()[condition].impulse[axis] / last_interval());
+  if (stepper_) stepper_->record(columns_);
   largest_input_ = std::max({largest_input_, initial_energy_, std::abs(work)});
   if (total <= energy_growth_bound * largest_input_) return;
   executor_.diverge("the energy has grown to " + std::to_string(total / largest_input_) +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "solver/recorder.h"
 
@@ -16,6 +17,8 @@ class Stepper {
   virtual double time() const = 0;
   /// Pieces of work until the end, as far as one can tell.
   virtual std::int64_t steps_left() const = 0;
+  /// Appends its own columns of the row of histories.
+  virtual void record(std::vector<double>&) const {}
   /// Adds what it needs to go on from the sample that has just been reached.
   virtual void save(Checkpoint& checkpoint) const = 0;
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array texts = {
     "analysis { end_time: 1 damping: 2 explicit_dynamics {} }",
-    "analysis { relaxation {} }",
+    "analysis { relaxation { tolerance: 0.31 most_steps: 32 } }",
     "analysis { quasi_static { load_steps: 11 arc_length { steps: 12 } newton { tolerance: 0.13 most_iterations: "
     "14"
     " most_cuts: 15 growth: 1.6 linear_solver: ITERATIVE } } }",
@@ -43,6 +43,12 @@ TEST(ConvertAnalysis, TellsKindsApart) {
   EXPECT_TRUE(std::holds_alternative<Relaxation>(kind_of(texts[1])));
   EXPECT_TRUE(std::holds_alternative<Modal>(kind_of(texts[6])));
   EXPECT_TRUE(std::holds_alternative<Buckling>(kind_of(texts[7])));
+}
+
+TEST(ConvertAnalysis, KeepsRelaxations) {
+  const auto analysis = std::get<Relaxation>(kind_of(texts[1]));
+  EXPECT_EQ(analysis.tolerance, 0.31);
+  EXPECT_EQ(analysis.most_steps, 32);
 }
 
 TEST(ConvertAnalysis, KeepsQuasiStaticAnalysesAndNewtonsMethod) {

@@ -1,0 +1,160 @@
+#include "solver/relaxation/dynamic_relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "solver/schemes/schemes.h"
+#include "solver/schemes/time_step.h"
+#include "solver/simulation/diverged.h"
+
+namespace trajan {
+namespace {
+
+/// Wave speeds change as bodies deform: the time step is found again after so many steps.
+constexpr std::int64_t steps_per_time_step = 64;
+
+/// A level is stuck if for so many maxima of the kinetic energy, and for so many times the steps that it took to
+/// the least residual, that has not become less by this share. Levels that converge improve by more with each
+/// maximum or two.
+constexpr std::int64_t most_vain_peaks = 100, most_vain_times = 3;
+constexpr double least_improvement = 0.5;
+
+/// Slows the waves of all bodies down to the slowest one's.
+void equalise_waves(const Model& model, Executor& executor) {
+  const auto speed = [&](const Body& body) {
+    const Material& material = model.materials[body.material];
+    return material.kind->wave_speed(material.parameters, material.density, model.dimension);
+  };
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Body& body : model.bodies) slowest = std::min(slowest, speed(body));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const double ratio = speed(model.bodies[b]) / slowest;
+    if (ratio > 1) executor.scale_inertia(b, ratio * ratio);
+  }
+}
+
+}  // namespace
+
+DynamicRelaxation::DynamicRelaxation(const Model& model, const Relaxation& limits, Executor& executor,
+                                     const Checkpoint* resume)
+    : model_(model), scheme_(*find_scheme(model.numerics.scheme)), limits_(limits), executor_(executor) {
+  if (resume) from_ = until_ = resume->time;
+  executor_.watch_forces();
+  equalise_waves(model, executor_);
+}
+
+double DynamicRelaxation::time() const {
+  return std::lerp(from_, until_, std::clamp(std::log(least_) / std::log(limits_.tolerance), 0.0, 1.0));
+}
+
+std::int64_t DynamicRelaxation::steps_left() const {
+  const double levels = static_cast<double>(model_.outputs.samples) * (1 - until_ / model_.end_time);
+  const std::int64_t of_each = std::max(steps_of_level_, steps_of_last_level_);
+  return static_cast<std::int64_t>(levels + 0.5) * of_each + of_each - steps_of_level_;
+}
+
+void DynamicRelaxation::record(std::vector<double>& columns) const {
+  columns.insert(columns.end(), {residual_, static_cast<double>(steps_of_last_level_)});
+}
+
+/// At a sample everything is at rest: there is nothing to remember.
+void DynamicRelaxation::save(Checkpoint&) const {}
+
+void DynamicRelaxation::begin_level() {
+  at_rest_ = true;
+  kinetic_energy_ = first_unbalanced_ = 0;
+  steps_of_level_ = least_at_ = peaks_since_ = 0;
+  least_ = 1;
+}
+
+bool DynamicRelaxation::advance(double until, std::int64_t number) {
+  if (until != until_) begin_level();
+  until_ = until;
+  number_ = number;
+  if (steps_of_level_ % steps_per_time_step == 0) find_time_step();
+  step();
+  measure();
+  if (residual_ <= limits_.tolerance && is_settled()) {
+    from_ = until_;
+    steps_of_last_level_ = steps_of_level_;
+    return true;
+  }
+  const double energy = executor_.force_balance().kinetic_energy;
+  const bool peak = !at_rest_ && energy < kinetic_energy_;
+  at_rest_ = false;
+  kinetic_energy_ = energy;
+  if (peak) halt();
+  watch_progress(peak);
+  return false;
+}
+
+void DynamicRelaxation::find_time_step() {
+  const Totals totals = executor_.totals();
+  time_step_ = model_.numerics.time_step ? *model_.numerics.time_step
+                                         : model_.numerics.time_step_fraction *
+                                               stable_time_step(model_, std::sqrt(totals.squared_wave_speed),
+                                                                std::sqrt(totals.squared_speed));
+}
+
+void DynamicRelaxation::step() {
+  StepTimes times;
+  times.step = number_;
+  times.time = until_;
+  times.before = at_rest_ ? until_ : until_ - 0.5 * time_step_;
+  times.after = until_ + 0.5 * time_step_;
+  times.drift = time_step_;
+  scheme_.step(executor_, times);
+  ++steps_of_level_;
+}
+
+void DynamicRelaxation::measure() {
+  const ForceBalance& balance = executor_.force_balance();
+  const double unbalanced = std::sqrt(balance.unbalanced), external = std::sqrt(balance.external);
+  if (first_unbalanced_ == 0) first_unbalanced_ = unbalanced;
+  const double scale = external > 0 ? external : first_unbalanced_;
+  residual_ = scale > 0 ? unbalanced / scale : 0;
+}
+
+void DynamicRelaxation::halt() {
+  executor_.halt();
+  at_rest_ = true;
+  kinetic_energy_ = 0;
+}
+
+/// The forces were those of the places before the step: looks again where the particles are now, at rest.
+bool DynamicRelaxation::is_settled() {
+  halt();
+  const double work = executor_.work(), dissipated = executor_.dissipated();
+  StepTimes times;
+  times.step = number_;
+  times.time = times.before = until_;
+  times.after = until_ + 0.5 * time_step_;
+  executor_.particles({Pass::locate, Pass::force, Pass::scatter_state});
+  executor_.update_velocities(times);
+  executor_.restore(work, dissipated);
+  measure();
+  return residual_ <= limits_.tolerance;
+}
+
+void DynamicRelaxation::watch_progress(bool peak) {
+  peaks_since_ += peak;
+  if (residual_ < (1 - least_improvement) * least_) {
+    least_ = residual_;
+    least_at_ = steps_of_level_;
+    peaks_since_ = 0;
+  }
+  const bool stuck = peaks_since_ > most_vain_peaks && steps_of_level_ > (1 + most_vain_times) * least_at_;
+  if (!stuck && steps_of_level_ < limits_.most_steps) return;
+  std::ostringstream cause;
+  cause << (stuck ? "the relaxation is stuck" : "the relaxation has not come to rest") << " after "
+        << steps_of_level_ << " steps of a load level: unbalanced forces are " << residual_
+        << " of the external ones, at best " << least_;
+  throw Diverged({number_, until_, -1, cause.str(),
+                  stuck ? "accept a larger analysis.relaxation.tolerance, or choose numerics.scheme: \"TLMPM\" or "
+                          "smooth shape functions, by which particles that cross cells make no noise"
+                        : "allow more analysis.relaxation.most_steps; a body that no boundary holds never rests"});
+}
+
+}  // namespace trajan

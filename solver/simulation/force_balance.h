@@ -1,0 +1,25 @@
+#pragma once
+
+#include "solver/schemes/kernels.h"
+
+namespace trajan {
+
+/// What the forces on the nodes amount to, sums of squares over nodes and components.
+struct ForceBalance {
+  double unbalanced = 0;      ///< internal forces, loads and reactions together
+  double internal = 0;        ///< internal forces
+  double external = 0;        ///< loads and reactions, each by itself
+  double kinetic_energy = 0;  ///< of the nodes after the kick
+  ForceBalance& operator+=(const ForceBalance& other) {
+    unbalanced += other.unbalanced;
+    internal += other.internal;
+    external += other.external;
+    kinetic_energy += other.kinetic_energy;
+    return *this;
+  }
+};
+
+/// Of a tile's nodes once their accelerations are final. What conditions have added to these are reactions.
+ForceBalance force_balance(const NodeBlock& block, int axes);
+
+}  // namespace trajan

@@ -1,0 +1,112 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/simulation/scenes.h"
+
+namespace trajan {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double density = 2, gravity = 0.001, stiff = 100, soft = 1;
+
+/// A rod of two metres that hangs by its own weight, its upper half a hundred times stiffer than the lower one.
+Scene rod(const std::string& scheme) {
+  Scene scene;
+  scene.name = "rod";
+  scene.domain = {Dimension::bar, {0}, {3}, 0.1, {}, {}};
+  scene.materials = {test::material("linear_elastic", stiff, 0, density),
+                     test::material("linear_elastic", soft, 0, density)};
+  scene.materials[1].name = "soft";
+  scene.bodies = {{"upper", "solid", Box{{0}, {1}}, 2, {}}, {"lower", "soft", Box{{1}, {2}}, 2, {}}};
+  scene.boundaries = {{"ceiling", Box{{0}, {0}}, Fixed{}}};
+  scene.loads = {{"gravity", BodyForce{{gravity}, {}}, Ramp{0, 1, false}}};
+  scene.analysis = {1, 0, Relaxation{1e-7}};
+  scene.numerics.scheme = scheme;
+  scene.outputs.samples = 4;
+  scene.outputs.snapshots = 1;
+  scene.outputs.probes = {{"end", Vector{2}, {Field::displacement}, ""}};
+  return scene;
+}
+
+/// Of the particle a quarter of a cell above the end. Linear functions find exact displacements of nodes.
+double exact_displacement() {
+  const auto of_node = [](double x) {
+    return density * gravity * (1.5 / stiff + (2 * (x - 1) - (x * x - 1) / 2) / soft);
+  };
+  return 0.25 * of_node(1.9) + 0.75 * of_node(2);
+}
+
+class RelaxedRod : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Schemes, RelaxedRod, testing::Values("USL", "MUSL", "USF", "USAVG", "TLMPM"),
+                         [](const auto& named) { return named.param; });
+
+// Waves are ten times as fast in one half: inertia differs, and weight does not.
+TEST_P(RelaxedRod, HangsAsStaticsSaysAtEveryLevelOfItsLoad) {
+  const Model model = validate(rod(GetParam()));
+  test::Memory memory;
+  ASSERT_EQ(run(model, {}, memory, nullptr).end, RunEnd::finished);
+  for (std::size_t level = 1; level <= 4; ++level) {
+    const std::vector<double>& row = memory.rows.at(level);
+    // Ten cells have an error of a thousandth: gradients are of velocities that were mapped twice, displacements
+    // are not. The residual leaves less than 1e-5.
+    const double tolerance = 2e-3;
+    const double exact = exact_displacement() * static_cast<double>(level) / 4;
+    EXPECT_NEAR(row[test::column(model, "end.displacement.x")], exact, tolerance * exact);
+    EXPECT_LE(row[test::column(model, "relaxation.residual")], 1e-7);
+    EXPECT_GT(row[test::column(model, "relaxation.steps")], 20) << "a wave needs longer through the rod";
+    EXPECT_EQ(row[test::column(model, "energies.kinetic")], 0);
+  }
+}
+
+/// The divergence that a relaxation ends with.
+Divergence failure(const Scene& scene) {
+  const Model model = validate(scene);
+  test::Memory memory;
+  const RunResult result = run(model, {}, memory, nullptr);
+  EXPECT_EQ(result.end, RunEnd::diverged);
+  return result.divergence.value_or(Divergence{});
+}
+
+TEST(Relaxation, SaysThatWhatNothingHoldsNeverRests) {
+  Scene scene = rod("TLMPM");
+  scene.boundaries.clear();
+  std::get<Relaxation>(scene.analysis.kind).most_steps = 500;
+  const Divergence divergence = failure(scene);
+  EXPECT_EQ(divergence.step, 499);
+  EXPECT_THAT(divergence.cause, HasSubstr("not come to rest after 500 steps"));
+  EXPECT_THAT(divergence.remedy, HasSubstr("no boundary holds"));
+}
+
+TEST(Relaxation, GivesTheSameBitsOnThreadsAndFromCheckpoints) {
+  Scene scene = rod("MUSL");
+  std::get<Relaxation>(scene.analysis.kind).tolerance = 0.05;
+  const Model model = validate(scene);
+  test::Memory whole;
+  ASSERT_EQ(run(model, {1, 0, {}}, whole, nullptr).end, RunEnd::finished);
+  ASSERT_EQ(whole.checkpoints.size(), 3u);
+  test::Memory rest;
+  ASSERT_EQ(run(model, {2, 1e9, whole.checkpoints[1]}, rest, nullptr).end, RunEnd::finished);
+  for (std::size_t row = 3; row <= 4; ++row) EXPECT_EQ(rest.rows.at(row), whole.rows[row]) << row;
+}
+
+TEST(Relaxation, RefusesWhatHasNoMeaningAtRest) {
+  Scene scene = rod("TLMPM");
+  scene.analysis = {1, 2, Relaxation{0.2, 0}};
+  scene.bodies[1].initial_velocity = {"0.5"};
+  scene.boundaries = {{"ceiling", Box{{0}, {0}}, PrescribedVelocity{{"0"}}},
+                      {"floor", Box{{2}, {2}}, PrescribedDisplacement{{"0.1*t"}}}};
+  std::vector<std::string> paths;
+  try {
+    validate(scene);
+  } catch (const InvalidScene& invalid) {
+    for (const Violation& violation : invalid.violations()) paths.push_back(violation.path);
+  }
+  EXPECT_THAT(paths, testing::ElementsAre("analysis.relaxation.tolerance", "analysis.relaxation.most_steps",
+                                          "analysis.damping", "bodies[1].initial_velocity", "boundaries[1]"));
+}
+
+}  // namespace
+}  // namespace trajan
