@@ -1,0 +1,169 @@
+#include "solver/modal/eigenmodes.h"
+
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <Spectra/SymGEigsSolver.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace trajan {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
+
+/// The shift and what counts as zero, as a share of the highest values: above what rounding leaves of rigid
+/// motions and below the lowest mode of a body of a thousand cells' length.
+constexpr double shift_share = 1e-11;
+constexpr double tolerance = 1e-11;
+constexpr int most_restarts = 300;
+
+/// Middle one of the ratios of diagonal entries: about the highest values, whatever nodes hardly touch the body.
+double value_scale(const SparseMatrix& stiffness, const SparseMatrix& mass) {
+  VectorXd ratio = stiffness.diagonal().cwiseQuotient(mass.diagonal());
+  std::nth_element(ratio.begin(), ratio.begin() + ratio.size() / 2, ratio.end());
+  return ratio[ratio.size() / 2];
+}
+
+/// Values below `bound`, by the signs of the pivots.
+Index values_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double bound) {
+  const Factors factors(stiffness - bound * mass);
+  if (factors.info() != Eigen::Success) return 0;
+  return (factors.vectorD().array() < 0).count();
+}
+
+/// (K - shift M)^-1 as Spectra asks for it.
+class ShiftInvert {
+ public:
+  using Scalar = double;
+  ShiftInvert(const SparseMatrix& stiffness, const SparseMatrix& mass, const Interruption& interruption)
+      : stiffness_(stiffness), mass_(mass), interruption_(interruption) {}
+  Index rows() const { return stiffness_.rows(); }
+  Index cols() const { return stiffness_.cols(); }
+  void set_shift(double shift) {
+    factors_.compute(stiffness_ - shift * mass_);
+    if (factors_.info() != Eigen::Success) throw NoModes("the stiffness cannot be factorized");
+  }
+  void perform_op(const double* x, double* y) const {
+    if (interruption_) interruption_();
+    Eigen::Map<VectorXd>(y, rows()) = factors_.solve(Eigen::Map<const VectorXd>(x, rows()));
+  }
+
+ private:
+  const SparseMatrix &stiffness_, &mass_;
+  const Interruption& interruption_;
+  Factors factors_;
+};
+
+/// K and its inverse as Spectra asks for them.
+class Inner {
+ public:
+  using Scalar = double;
+  Inner(const SparseMatrix& stiffness, const Interruption& interruption)
+      : stiffness_(stiffness), factors_(stiffness), interruption_(interruption) {
+    if (factors_.info() != Eigen::Success || (factors_.vectorD().array() <= 0).any())
+      throw NoModes("the state from which the load grows is not stable, or a body is not held");
+  }
+  Index rows() const { return stiffness_.rows(); }
+  Index cols() const { return stiffness_.cols(); }
+  void solve(const double* x, double* y) const {
+    if (interruption_) interruption_();
+    Eigen::Map<VectorXd>(y, rows()) = factors_.solve(Eigen::Map<const VectorXd>(x, rows()));
+  }
+  void perform_op(const double* x, double* y) const {
+    Eigen::Map<VectorXd>(y, rows()) = stiffness_ * Eigen::Map<const VectorXd>(x, rows());
+  }
+
+ private:
+  const SparseMatrix& stiffness_;
+  Factors factors_;
+  const Interruption& interruption_;
+};
+
+/// Vectors that Lanczos keeps to find so many of `rows` values.
+Index subspace(Index wanted, Index rows) { return std::min(rows, std::max<Index>(2 * wanted + 1, wanted + 20)); }
+
+/// Copies what a solver has found.
+template <class Solver>
+void collect(const Solver& solver, std::vector<Eigenmode>& modes) {
+  const auto values = solver.eigenvalues();
+  const auto vectors = solver.eigenvectors();
+  for (Index i = 0; i < values.size(); ++i) modes.push_back({values[i], vectors.col(i), 0, false});
+}
+
+std::vector<Eigenmode> nearest_zero(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count,
+                                    double shift, const Interruption& interruption) {
+  ShiftInvert inverse(stiffness, mass, interruption);
+  Spectra::SparseSymMatProd<double> product(mass);
+  Spectra::SymGEigsShiftSolver<ShiftInvert, Spectra::SparseSymMatProd<double>, Spectra::GEigsMode::ShiftInvert>
+      solver(inverse, product, count, subspace(count, stiffness.rows()), shift);
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful) throw NoModes("the Lanczos iteration does not converge");
+  std::vector<Eigenmode> modes;
+  collect(solver, modes);
+  return modes;
+}
+
+void finish(std::vector<Eigenmode>& modes, const SparseMatrix& stiffness, const SparseMatrix& mass, double zero) {
+  for (Eigenmode& mode : modes) {
+    const VectorXd inertia = mass * mode.shape;
+    mode.shape /= std::sqrt(mode.shape.dot(inertia));
+    mode.rigid = std::abs(mode.value) < zero;
+    const VectorXd rest = stiffness * mode.shape - mode.value * (mass * mode.shape);
+    mode.residual = rest.norm() / ((std::abs(mode.value) + zero) * (mass * mode.shape).norm());
+  }
+  std::ranges::sort(modes, {}, &Eigenmode::value);
+}
+
+}  // namespace
+
+std::vector<Eigenmode> lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
+                                    const Interruption& interruption) {
+  const Index rows = stiffness.rows();
+  Index wanted = std::min<Index>(count, rows - 1);
+  if (wanted < 1) throw NoModes("nothing is free to move");
+  const double zero = shift_share * value_scale(stiffness, mass);
+  std::vector<Eigenmode> modes;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    modes = nearest_zero(stiffness, mass, wanted, -zero, interruption);
+    finish(modes, stiffness, mass, zero);
+    const double last = modes.back().value;
+    const Index below = values_below(stiffness, mass, last * (1 - 1e-6) - zero);
+    const auto found =
+        std::ranges::count_if(modes, [&](const Eigenmode& m) { return m.value < last * (1 - 1e-6) - zero; });
+    if (below <= found || wanted == rows - 1) break;
+    wanted = std::min<Index>(wanted + below - found, rows - 1);
+  }
+  if (static_cast<int>(modes.size()) > count) modes.resize(static_cast<std::size_t>(count));
+  return modes;
+}
+
+std::vector<Eigenmode> critical_factors(const SparseMatrix& stiffness, const SparseMatrix& geometric, int count,
+                                        const Interruption& interruption) {
+  const Index rows = stiffness.rows(), wanted = std::min<Index>(count, rows - 1);
+  if (wanted < 1) throw NoModes("nothing is free to move");
+  const SparseMatrix falling = -geometric;
+  Spectra::SparseSymMatProd<double> product(falling);
+  Inner inner(stiffness, interruption);
+  Spectra::SymGEigsSolver<Spectra::SparseSymMatProd<double>, Inner, Spectra::GEigsMode::RegularInverse> solver(
+      product, inner, wanted, subspace(wanted, rows));
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance);
+  if (solver.info() != Spectra::CompInfo::Successful) throw NoModes("the Lanczos iteration does not converge");
+  std::vector<Eigenmode> modes;
+  collect(solver, modes);
+  std::erase_if(modes, [](const Eigenmode& mode) { return mode.value <= 0; });
+  for (Eigenmode& mode : modes) {
+    mode.value = 1 / mode.value;
+    const VectorXd stiff = stiffness * mode.shape;
+    mode.residual = (stiff + mode.value * (geometric * mode.shape)).norm() / stiff.norm();
+    mode.shape /= std::sqrt(mode.shape.dot(stiff));
+  }
+  return modes;
+}
+
+}  // namespace trajan
