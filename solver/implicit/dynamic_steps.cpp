@@ -82,7 +82,7 @@ void DynamicSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& d
       (displacement - dt * velocity_) / (beta * dt * dt) - (0.5 / beta - 1) * acceleration_;
   const Eigen::VectorXd velocity = velocity_ + dt * ((1 - gamma) * acceleration_ + gamma * acceleration);
   const Eigen::VectorXd before = mass_ * velocity_, after = mass_ * velocity;
-  executor().add_work(
+  executor().account().add(
       balance.work(displacement, mass_ * acceleration_ + damping * before, mass_ * acceleration + damping * after),
       0.5 * damping * (before + after).dot(displacement));
   const Eigen::VectorXd change = velocity - velocity_;

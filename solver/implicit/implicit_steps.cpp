@@ -73,7 +73,7 @@ void ImplicitSteps::begin(double until) {
 }
 
 void ImplicitSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& displacement) {
-  executor_.add_work(balance.work(displacement), 0);
+  executor_.account().add(balance.work(displacement), 0);
 }
 
 void ImplicitSteps::accept() {

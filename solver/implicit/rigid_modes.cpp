@@ -13,9 +13,9 @@ namespace {
 constexpr double no_resistance = 1e-9;
 
 /// Nodes that particles connect, as a forest: roots stand for all.
-class Components {
+class ConnectedNodes {
  public:
-  explicit Components(const Discretization& on) : parent_(on.nodes()) {
+  explicit ConnectedNodes(const Discretization& on) : parent_(on.nodes()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
     for (std::size_t p = 0; p < on.particles(); ++p)
       for (std::uint32_t n : on.particle(p).nodes) parent_[root(n)] = root(on.particle(p).nodes[0]);
@@ -55,7 +55,7 @@ class FreeMotion {
       : model_(model), on_(on), modes_(modes_of(model.dimension)) {}
 
   /// Of the component of this root; empty: none.
-  std::string find(Components& components, std::uint32_t root, const Constraints& constraints) {
+  std::string find(ConnectedNodes& components, std::uint32_t root, const Constraints& constraints) {
     frame(components, root);
     const auto count = static_cast<Eigen::Index>(modes_.size());
     Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(count, count);
@@ -87,7 +87,7 @@ class FreeMotion {
             origin.z + h * static_cast<double>(index[2])};
   }
   /// The middle and the size of a component.
-  void frame(Components& components, std::uint32_t root) {
+  void frame(ConnectedNodes& components, std::uint32_t root) {
     Point lowest, highest;
     lowest.fill(HUGE_VAL);
     highest.fill(-HUGE_VAL);
@@ -138,7 +138,7 @@ class FreeMotion {
 }  // namespace
 
 std::string find_free_motion(const Model& model, const Discretization& on, const Constraints& constraints) {
-  Components components(on);
+  ConnectedNodes components(on);
   FreeMotion motion(model, on);
   std::set<std::uint32_t> seen;
   for (std::size_t p = 0; p < on.particles(); ++p) {

@@ -41,7 +41,7 @@ DynamicRelaxation::DynamicRelaxation(const Model& model, const Relaxation& limit
                                      const Checkpoint* resume)
     : model_(model), scheme_(*find_scheme(model.numerics.scheme)), limits_(limits), executor_(executor) {
   if (resume) from_ = until_ = resume->time;
-  executor_.watch_forces();
+  executor_.account().watch_forces(executor_.tiles().tiles().size());
   equalise_waves(model, executor_);
 }
 
@@ -81,7 +81,7 @@ bool DynamicRelaxation::advance(double until, std::int64_t number) {
     steps_of_last_level_ = steps_of_level_;
     return true;
   }
-  const double energy = executor_.force_balance().kinetic_energy;
+  const double energy = executor_.account().balance().kinetic_energy;
   const bool peak = !at_rest_ && energy < kinetic_energy_;
   at_rest_ = false;
   kinetic_energy_ = energy;
@@ -110,7 +110,7 @@ void DynamicRelaxation::step() {
 }
 
 void DynamicRelaxation::measure() {
-  const ForceBalance& balance = executor_.force_balance();
+  const ForceBalance& balance = executor_.account().balance();
   const double unbalanced = std::sqrt(balance.unbalanced), external = std::sqrt(balance.external);
   if (first_unbalanced_ == 0) first_unbalanced_ = unbalanced;
   const double scale = external > 0 ? external : first_unbalanced_;
@@ -126,14 +126,14 @@ void DynamicRelaxation::halt() {
 /// The forces were those of the places before the step: looks again where the particles are now, at rest.
 bool DynamicRelaxation::is_settled() {
   halt();
-  const double work = executor_.work(), dissipated = executor_.dissipated();
+  const double work = executor_.account().work(), dissipated = executor_.account().dissipated();
   StepTimes times;
   times.step = number_;
   times.time = times.before = until_;
   times.after = until_ + 0.5 * time_step_;
   executor_.particles({Pass::locate, Pass::force, Pass::scatter_state});
   executor_.update_velocities(times);
-  executor_.restore(work, dissipated);
+  executor_.account().restore(work, dissipated);
   measure();
   return residual_ <= limits_.tolerance;
 }

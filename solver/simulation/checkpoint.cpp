@@ -102,8 +102,9 @@ Checkpoint Simulation::save() {
   checkpoint.arrays.push_back({"tiles", pack(executor_.tiles())});
   checkpoint.arrays.push_back({"blocks", pack(executor_.tiles().blocks())});
   checkpoint.arrays.push_back({"surface_points", surface_points(executor_.riders())});
-  checkpoint.arrays.push_back({"reactions", pack(executor_.reactions())});
-  checkpoint.arrays.push_back({"energies", std::vector<double>{executor_.work(), executor_.dissipated(),
+  const Account& account = executor_.account();
+  checkpoint.arrays.push_back({"reactions", pack(account.reactions())});
+  checkpoint.arrays.push_back({"energies", std::vector<double>{account.work(), account.dissipated(),
                                                                initial_energy_, largest_energy_, largest_input_}});
   if (stepper_) stepper_->save(checkpoint);
   return checkpoint;
@@ -127,7 +128,8 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
   executor_.bind();
   stepper_ = make_stepper(model, executor_, &checkpoint);
   const auto& energies = array<double>(checkpoint, "energies");
-  executor_.restore(energies[0], energies[1], unpack_reactions(array<double>(checkpoint, "reactions")));
+  executor_.account().restore(energies[0], energies[1]);
+  executor_.account().restore(unpack_reactions(array<double>(checkpoint, "reactions")));
   initial_energy_ = energies[2];
   largest_energy_ = energies[3];
   largest_input_ = energies[4];

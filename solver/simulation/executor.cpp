@@ -58,7 +58,8 @@ Executor::Executor(const Model& model, int threads)
       loads_(model),
       tiles_(transfer_.layout, quantities(transfer_kind_.node_vectors, axes_),
              quantities(loads_.none() ? sum_load : sum_vectors, axes_),
-             period_in_tiles(model.grid, transfer_.layout)) {
+             period_in_tiles(model.grid, transfer_.layout)),
+      account_(conditions_.count()) {
   sweep_.cell = model.grid.cell;
   sweep_.inverse_cell = 1 / model.grid.cell;
   const double origin[] = {model.grid.origin.x, model.grid.origin.y, model.grid.origin.z};
@@ -73,9 +74,8 @@ Executor::Executor(const Model& model, int threads)
   }
   sweep_.flip = model.numerics.flip_fraction.value_or(1);
   lightest_particle_ = lightest_particle(bodies_);
-  account_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
-             !model.outputs.reactions.empty();
-  reactions_.assign(conditions_.count(), {});
+  accounts_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
+              !model.outputs.reactions.empty();
   const auto window = static_cast<std::size_t>(quantities(transfer_kind_.node_vectors, axes_) *
                                                transfer_.window_copies * transfer_.layout.window_nodes);
   for (int thread = 0; thread < threads; ++thread) {
@@ -112,8 +112,7 @@ void Executor::bind() {
   const std::size_t tiles = tiles_.tiles().size();
   collected_.resize(in_one_pass() ? scratch_.size() : tiles);
   shares_ = tiles_.shares(pool_.size());
-  tile_reactions_.assign(tiles * (conditions_.count() + 1), {});
-  tile_balances_.assign(watched_ ? tiles : 0, {});
+  account_.bind(tiles);
 }
 
 void Executor::particles(std::initializer_list<Pass> passes) {
@@ -318,10 +317,10 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
     motion_.calm_light_nodes(block);
     conditions_.act_on_mapped(tile);
   }
-  if (watched_) tile_balances_[tile] = trajan::force_balance(block, axes_);
-  if (!account_) return;
+  if (account_.watched()) account_.balance_of_tile(tile) = force_balance(block, axes_);
+  if (!accounts_) return;
   motion_.account(block);
-  reactions_of(tile).back() = {block.work, block.dissipated, {}};
+  account_.of_tile(tile).back() = {block.work, block.dissipated, {}};
 }
 
 void Executor::update_velocities(const StepTimes& times, double light_node) {
@@ -331,16 +330,15 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     transfer_.update_velocities(block);
-    std::ranges::fill(reactions_of(tile), Reaction{});
-    conditions_.act(tile, reactions_of(tile));
+    account_.forget_tile(tile);
+    conditions_.act(tile, account_.of_tile(tile));
     if (complete_at_once) complete(block, tile, light_node);
   });
   if (!complete_at_once) {
     contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
     const Reaction contact = contacts_.act(pool_, tiles_, conditions_.held(), times.kick());
-    work_ += contact.work;
-    dissipated_ += contact.dissipated;
-    conditions_.act_on_surfaces(bodies_, tiles_, reactions_of(0));
+    account_.add(contact.work, contact.dissipated);
+    conditions_.act_on_surfaces(bodies_, tiles_, account_.of_tile(0));
     for_each_tile([&](std::size_t tile, std::size_t thread) {
       NodeBlock block = node_block(tile, thread);
       complete(block, tile, light_node);
@@ -352,20 +350,7 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   }
   project(times.drift > 0 ? transfer_passes_.projection : transfer_passes_.projection_at_sample,
           light_node * lightest_particle_);
-  balance_ = {};
-  for (const ForceBalance& of_tile : tile_balances_) balance_ += of_tile;
-  if (account_) add_up_reactions();
-}
-
-void Executor::add_up_reactions() {
-  const std::size_t kinds = conditions_.count() + 1;
-  for (std::size_t kind = 0; kind < kinds; ++kind) {
-    Reaction sum;
-    for (std::size_t i = kind; i < tile_reactions_.size(); i += kinds) sum += tile_reactions_[i];
-    work_ += sum.work;
-    dissipated_ += sum.dissipated;
-    if (kind < reactions_.size()) reactions_[kind] += sum;
-  }
+  if (accounts_ || account_.watched()) account_.add_up();
 }
 
 void Executor::map_velocities(bool with_mass) {

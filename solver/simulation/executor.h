@@ -12,7 +12,7 @@
 #include "solver/contact/body_contacts.h"
 #include "solver/executors/thread_pool.h"
 #include "solver/loads/loads.h"
-#include "solver/simulation/force_balance.h"
+#include "solver/simulation/account.h"
 #include "solver/simulation/particles.h"
 #include "solver/simulation/pass.h"
 #include "solver/transfers/transfer.h"
@@ -45,7 +45,6 @@ class Executor {
   Loads& loads() { return loads_; }
   Conditions& conditions() { return conditions_; }
   ThreadPool& pool() { return pool_; }
-  void add_work(double work, double dissipated) { work_ += work, dissipated_ += dissipated; }
   /// @}
 
   /// Runs what has been noted; after it particles may be looked at.
@@ -70,27 +69,12 @@ class Executor {
   std::vector<Riders*> riders();
   /// Counts sortings, for whoever keeps slots.
   std::int64_t sortings() const { return sortings_; }
-  /// What boundary conditions have done since these were last forgotten, in the order of the model.
-  std::span<const Reaction> reactions() const { return reactions_; }
-  void forget_reactions() { reactions_.assign(reactions_.size(), {}); }
-  double work() const { return work_; }
-  double dissipated() const { return dissipated_; }
-  void restore(double work, double dissipated, std::vector<Reaction> reactions) {
-    work_ = work, dissipated_ = dissipated;
-    reactions_ = std::move(reactions);
-  }
-
-  /// \name For analyses in which inertia and motion only serve to find a state of rest
-  /// @{
-  /// From now on forces on nodes are balanced whenever velocities are updated.
-  void watch_forces();
-  /// Of the last update of velocities.
-  const ForceBalance& force_balance() const { return balance_; }
+  Account& account() { return account_; }
+  const Account& account() const { return account_; }
   /// Multiplies the inertia of a body, by which waves become slower; its weight stays.
   void scale_inertia(std::size_t body, double factor);
   /// Takes all velocity from the particles; their kinetic energy is dissipated.
   void halt();
-  /// @}
   std::size_t memory() const;
   /// Throws Diverged at the present step, about the particle that looks worst.
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
@@ -112,10 +96,6 @@ class Executor {
   /// Finishes, and evaluates all that depends on time.
   void prepare(const StepTimes& times);
   NodeBlock node_block(std::size_t tile, std::size_t thread);
-  std::span<Reaction> reactions_of(std::size_t tile) {
-    return std::span(tile_reactions_).subspan(tile * (conditions_.count() + 1), conditions_.count() + 1);
-  }
-  void add_up_reactions();
   /// What follows once a tile's velocities are final.
   void complete(NodeBlock& block, std::size_t tile, double light_node);
   /// What the transfer iterates on after the nodes' velocities have been updated. Velocities for gradients
@@ -156,16 +136,10 @@ class Executor {
   std::vector<AlignedDoubles> windows_, stencils_;  ///< by thread
   std::vector<std::vector<Levers>> levers_;         ///< by thread
   std::vector<std::size_t> shares_;
-  /// By tile, of each condition and then of loads and damping.
-  std::vector<Reaction> tile_reactions_;
-  std::vector<Reaction> reactions_;  ///< by condition
   std::vector<Totals> tile_totals_;
-  std::vector<ForceBalance> tile_balances_;
-  ForceBalance balance_;
-  bool watched_ = false;
+  Account account_;
+  bool accounts_ = false;  ///< for work and dissipation
   double lightest_particle_ = 0;
-  bool account_ = false;
-  double work_ = 0, dissipated_ = 0;
   std::int64_t sortings_ = 0;
 };
 

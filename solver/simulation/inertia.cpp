@@ -5,11 +5,6 @@
 /// Inertia and motion as mere means to find a state of rest.
 namespace trajan {
 
-void Executor::watch_forces() {
-  watched_ = true;
-  tile_balances_.assign(tiles_.tiles().size(), {});
-}
-
 void Executor::scale_inertia(std::size_t index, double factor) {
   BodyParticles& body = bodies_[index];
   body.inertia *= factor;
@@ -19,7 +14,7 @@ void Executor::scale_inertia(std::size_t index, double factor) {
 }
 
 void Executor::halt() {
-  dissipated_ += totals().kinetic_energy;
+  account_.add(0, totals().kinetic_energy);
   for (BodyParticles& body : bodies_) {
     for (int axis = 0; axis < axes_; ++axis) std::ranges::fill(body.component(Attribute::velocity_x, axis), 0.0);
     for (int c = 0; c < 9; ++c) std::ranges::fill(body.component(Attribute::affine_xx, c), 0.0);

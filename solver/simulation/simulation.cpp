@@ -50,7 +50,7 @@ double Simulation::last_interval() const {
 }
 
 void Simulation::begin_interval() {
-  executor_.forget_reactions();
+  executor_.account().forget_reactions();
   const double interval = sample_time(sample_ + 1) - sample_time(sample_);
   const double largest =
       model_.numerics.time_step
@@ -99,7 +99,8 @@ void Simulation::measure() {
   columns_.clear();
   probe();
   const double total = totals_.kinetic_energy + totals_.strain_energy;
-  const double work = executor_.work(), dissipated = executor_.dissipated() + totals_.dissipated_energy;
+  const double work = executor_.account().work();
+  const double dissipated = executor_.account().dissipated() + totals_.dissipated_energy;
   for (double term : {total, work, dissipated, initial_energy_})
     largest_energy_ = std::max(largest_energy_, std::abs(term));
   balance_error_ = largest_energy_ > 0 ? (total + dissipated - work - initial_energy_) / largest_energy_ : 0.0;
@@ -108,7 +109,7 @@ void Simulation::measure() {
   for (int axis = 0; axis < grid_axes(model_.dimension); ++axis) columns_.push_back(totals_.momentum[axis]);
   for (std::size_t condition : model_.outputs.reactions)
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(grid_axes(model_.dimension)); ++axis)
-      columns_.push_back(executor_.reactions()[condition].impulse[axis] / last_interval());
+      columns_.push_back(executor_.account().reactions()[condition].impulse[axis] / last_interval());
   if (stepper_) stepper_->record(columns_);
   largest_input_ = std::max({largest_input_, initial_energy_, std::abs(work)});
   if (total <= energy_growth_bound * largest_input_) return;

@@ -96,7 +96,7 @@ TEST(ContactBetweenBodies, ResultDoesNotDependOnThreadsOrInterruption) {
   while (resumed.sample() < 10) resumed.step();
   EXPECT_EQ(one.columns(), three.columns());
   EXPECT_EQ(one.columns(), resumed.columns());
-  EXPECT_GT(one.executor().dissipated(), 0);
+  EXPECT_GT(one.executor().account().dissipated(), 0);
 }
 
 /// Two bars of unit length, stiffness and density in one dimension, the left one with a small velocity.

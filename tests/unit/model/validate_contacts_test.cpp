@@ -44,7 +44,7 @@ const std::vector<Mistake> contacts = {
 
 INSTANTIATE_TEST_SUITE_P(Contacts, ContactMistake, testing::ValuesIn(contacts), name_of);
 
-Scene four_bodies(std::vector<BodyContact> contacts) {
+Scene four_bodies(std::vector<BodyContact> touching) {
   Scene scene = sample_scene();
   scene.loads.clear();
   scene.outputs.probes.clear();
@@ -52,7 +52,7 @@ Scene four_bodies(std::vector<BodyContact> contacts) {
   scene.bodies.clear();
   for (const char* name : {"a", "b", "c", "d"})
     scene.bodies.push_back({name, "rubber", Box{{0, 0}, {1, 1}}, 2, {}});
-  scene.contacts = std::move(contacts);
+  scene.contacts = std::move(touching);
   return scene;
 }
 
