@@ -9,7 +9,7 @@ namespace {
 
 /// Of the square of the normal. Less hardly turns it any more, more draws it to the line between the clouds'
 /// middles.
-constexpr double ridge = 1e-4;
+constexpr double ridge = 1e-5;
 /// Of the plane's place, which it need not have but for clouds on top of each other.
 constexpr double least_curvature = 1e-9;
 constexpr int most_iterations = 20;
