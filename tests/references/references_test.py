@@ -12,6 +12,7 @@ import numpy as np
 
 import cantilever
 import compliant_bar
+import elastica
 import simply_supported_beam
 from scene_text import constant
 
@@ -43,6 +44,22 @@ class Cantilever(unittest.TestCase):
     def test_the_strain_measure_does_not_matter_at_the_scene_s_tolerance(self):
         # A fiftieth of the 0.5 % that the scene allows.
         self.assertLess(self.computed["finite_difference_between_laws"], 1e-4)
+
+
+class Elastica(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.computed = elastica.reference()
+
+    def test_the_scenes_state_what_the_elastica_does(self):
+        for name in ("end_load", "uniform_load"):
+            stated = [constant(f"elastica_{name}", c) for c in ("load", "end_x", "end_angle")]
+            computed = [self.computed[key] for key in (name, f"{name}_x", f"{name}_angle")]
+            # The tolerance of the integration along the beam, 1e-11, and of the shooting, 1e-10.
+            np.testing.assert_allclose(stated, computed, rtol=1e-9)
+
+    def test_shooting_and_elliptic_integrals_agree(self):
+        self.assertLess(self.computed["end_load_difference"], 1e-9)
 
 
 class SimplySupportedBeam(unittest.TestCase):
