@@ -61,7 +61,7 @@ void DynamicSteps::begin_step(StepBalance& balance) {
   else if (!total_lagrangian())
     map_from_particles();
   const auto [alpha_m, alpha_f, beta, gamma] = weights_;
-  const double dt = balance.length(), damping = model_.damping;
+  const double dt = balance.duration(), damping = model_.damping;
   // Acceleration and velocity at the end: the displacement times a factor, and these.
   const Eigen::VectorXd a = -velocity_ / (beta * dt) - (0.5 / beta - 1) * acceleration_;
   const Eigen::VectorXd v = velocity_ + dt * ((1 - gamma) * acceleration_ + gamma * a);
@@ -77,7 +77,7 @@ void DynamicSteps::begin_step(StepBalance& balance) {
 
 void DynamicSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& displacement) {
   const auto [alpha_m, alpha_f, beta, gamma] = weights_;
-  const double dt = balance.length(), damping = model_.damping;
+  const double dt = balance.duration(), damping = model_.damping;
   const Eigen::VectorXd acceleration =
       (displacement - dt * velocity_) / (beta * dt * dt) - (0.5 / beta - 1) * acceleration_;
   const Eigen::VectorXd velocity = velocity_ + dt * ((1 - gamma) * acceleration_ + gamma * acceleration);

@@ -23,6 +23,7 @@ class DynamicSteps : public ImplicitSteps {
   void begin_step(StepBalance& balance) override;
   void end_step(const StepBalance& balance, const Eigen::VectorXd& displacement) override;
   bool needs_supports() const override { return false; }
+  std::string where() const override { return "the time " + std::to_string(time()); }
 
   /// Velocities and accelerations of the nodes at the beginning, where there are none yet.
   void begin_motion(const StepBalance& balance);

@@ -67,9 +67,22 @@ bool ImplicitSteps::advance(double until, std::int64_t number) {
 void ImplicitSteps::begin(double until) {
   if (!view_) view_ = std::make_unique<GridView>(model_, executor_);
   const double left = until - time_, steps = std::ceil(left / length_ - 1e-9);
-  balance_.emplace(model_, executor_, *view_, responses_, time_, steps <= 1 ? until : time_ + left / steps);
+  next_ = steps <= 1 ? until : time_ + left / steps;
+  balance_ = make_balance(time_, next_);
   begin_step(*balance_);
-  newton_.emplace(options_, solver_, *balance_);
+  newton_ = make_iterations(*balance_);
+}
+
+std::unique_ptr<StepBalance> ImplicitSteps::balance_between(double from, double to, double duration) {
+  return std::make_unique<StepBalance>(model_, executor_, *view_, responses_, from, to, duration);
+}
+
+std::unique_ptr<StepBalance> ImplicitSteps::make_balance(double from, double to) {
+  return balance_between(from, to, to - from);
+}
+
+std::unique_ptr<NewtonIterations> ImplicitSteps::make_iterations(StepBalance& balance) {
+  return std::make_unique<NewtonIterations>(options_, solver_, balance);
 }
 
 void ImplicitSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& displacement) {
@@ -79,10 +92,10 @@ void ImplicitSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& 
 void ImplicitSteps::accept() {
   const Eigen::VectorXd& displacement = newton_->displacement();
   end_step(*balance_, displacement);
-  move_by(displacement, time_, balance_->to(), view_->on, model_, executor_);
+  move_by(displacement, time_, next_, view_->on, model_, executor_);
   responses_.commit(view_->on, {displacement.data(), static_cast<std::size_t>(displacement.size())},
-                    balance_->length());
-  time_ = balance_->to();
+                    balance_->duration());
+  time_ = next_;
   ++steps_;
   iterations_ += newton_->iterations();
   residuals_ = newton_->residuals();
@@ -104,7 +117,7 @@ void ImplicitSteps::accept() {
 void ImplicitSteps::cut() {
   if (cuts_ == options_.most_cuts) give_up();
   ++cuts_;
-  length_ = 0.5 * balance_->length();
+  length_ = 0.5 * balance_->duration();
   newton_.reset();
   balance_.reset();
 }
@@ -120,18 +133,19 @@ void ImplicitSteps::refuse_free_motion() const {
             "hold it by a boundary condition, or choose a dynamic analysis");
 }
 
+std::string ImplicitSteps::where() const { return "the load factor " + std::to_string(time_ / model_.end_time); }
+
 void ImplicitSteps::give_up() const {
-  const std::string factor = std::to_string(time_ / model_.end_time);
   using Failure = NewtonIterations::Failure;
   if (newton_->failure() == Failure::no_answer)
-    diverge("however short the step, particles lose their positive volume beyond the load factor " + factor,
+    diverge("however short the step, particles lose their positive volume beyond " + where(),
             "take a finer grid or a material that bears such a deformation, or apply less load");
   if (newton_->failure() == Failure::singular || !newton_->factors().positive_definite)
-    diverge("the stiffness is lost at the load factor " + factor +
-                ": there is no equilibrium beside this one, or more than one",
+    diverge("the stiffness is lost at " + where() + ": there is no equilibrium beside this one, or more than one",
             "apply less load, or trace the path by analysis.quasi_static.arc_length");
-  diverge("Newton's method finds no equilibrium beyond the load factor " + factor,
-          "allow more newton.most_iterations, or trace the path by analysis.quasi_static.arc_length");
+  diverge(
+      "Newton's method finds no balance of forces beyond " + where(),
+      "allow more newton.most_iterations or shorter steps; a path is traced by analysis.quasi_static.arc_length");
 }
 
 void ImplicitSteps::diverge(const std::string& cause, const std::string& remedy) const {

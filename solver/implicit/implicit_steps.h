@@ -1,7 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <string>
 
 #include "solver/implicit/newton_iterations.h"
 #include "solver/simulation/stepper.h"
@@ -28,12 +28,21 @@ class ImplicitSteps : public Stepper {
   Executor& executor() { return executor_; }
   const Executor& executor() const { return executor_; }
   const GridView& view() const { return *view_; }
-
- private:
-  /// Before a step's first iteration.
-  virtual void begin_step(StepBalance&) {}
+  const Newton& options() const { return options_; }
+  SparseSolver& solver() { return solver_; }
+  /// With loads and prescribed motions between two times, and a duration for the materials.
+  std::unique_ptr<StepBalance> balance_between(double from, double to, double duration);
   /// Before particles move. Adds to the executor's energies.
   virtual void end_step(const StepBalance& balance, const Eigen::VectorXd& displacement);
+
+ private:
+  /// Of a step between two times.
+  virtual std::unique_ptr<StepBalance> make_balance(double from, double to);
+  virtual std::unique_ptr<NewtonIterations> make_iterations(StepBalance& balance);
+  /// Before a step's first iteration.
+  virtual void begin_step(StepBalance&) {}
+  /// How far it has got, in words.
+  virtual std::string where() const;
   /// Whether bodies must be held.
   virtual bool needs_supports() const { return true; }
 
@@ -52,10 +61,11 @@ class ImplicitSteps : public Stepper {
   Responses responses_;
   SparseSolver solver_;
   std::unique_ptr<GridView> view_;
-  std::optional<StepBalance> balance_;
-  std::optional<NewtonIterations> newton_;
-  double time_ = 0, length_;  ///< of the next step, if samples do not make it shorter
-  int cuts_ = 0;              ///< in a row
+  std::unique_ptr<StepBalance> balance_;
+  std::unique_ptr<NewtonIterations> newton_;
+  double time_ = 0, next_ = 0;  ///< before and after the present step
+  double length_;               ///< of the next step, if samples do not make it shorter
+  int cuts_ = 0;                ///< in a row
   std::int64_t number_ = 0, steps_ = 0, iterations_ = 0;
   std::vector<double> residuals_;
 };

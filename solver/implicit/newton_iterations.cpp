@@ -44,8 +44,10 @@ NewtonIterations::State NewtonIterations::iterate() {
   if (!reduced.allFinite()) return fail(Failure::singular);
   Eigen::VectorXd direction = expand * reduced;
   if (first) direction += balance_.constraints().given();
-  if (!advance(direction, reduced)) return fail(Failure::no_answer);
+  return advance(direction, reduced) ? judge() : fail(Failure::no_answer);
+}
 
+NewtonIterations::State NewtonIterations::judge() {
   const double norm = balance_.reduced_residual().norm(), scale = std::max(balance_.scale(), prescribed_scale_);
   residuals_.push_back(scale > 0 ? norm / scale : 0);
   if (residuals_.back() <= options_.tolerance) return State::converged;

@@ -12,11 +12,12 @@ namespace trajan {
 class NewtonIterations {
  public:
   NewtonIterations(const Newton& options, SparseSolver& solver, StepBalance& balance);
+  virtual ~NewtonIterations() = default;
 
   enum class State { going, converged, failed };
   enum class Failure { none, no_answer, singular, too_slow };
   /// One more iteration.
-  State iterate();
+  virtual State iterate();
 
   const Eigen::VectorXd& displacement() const { return displacement_; }
   int iterations() const { return static_cast<int>(residuals_.size()); }
@@ -25,19 +26,23 @@ class NewtonIterations {
   Failure failure() const { return failure_; }
   const SparseSolver::Factors& factors() const { return factors_; }
 
- private:
+ protected:
   State fail(Failure why);
-  /// Goes as far along the direction as is good. False: there is no answer that way.
-  bool advance(const Eigen::VectorXd& direction, const Eigen::VectorXd& reduced);
+  /// Whether the residual is small enough.
+  State judge();
 
   const Newton& options_;
   SparseSolver& solver_;
   StepBalance& balance_;
   Eigen::VectorXd displacement_;
   std::vector<double> residuals_;
-  double prescribed_scale_ = 0;
   Failure failure_ = Failure::none;
   SparseSolver::Factors factors_;
+
+ private:
+  /// Goes as far along the direction as is good. False: there is no answer that way.
+  bool advance(const Eigen::VectorXd& direction, const Eigen::VectorXd& reduced);
+  double prescribed_scale_ = 0;
 };
 
 }  // namespace trajan

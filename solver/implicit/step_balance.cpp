@@ -13,12 +13,13 @@ std::span<double> span_of(Eigen::VectorXd& vector) {
 }  // namespace
 
 StepBalance::StepBalance(const Model& model, Executor& executor, const GridView& view, Responses& responses,
-                         double from, double to)
+                         double from, double to, double duration)
     : view_(view),
       responses_(responses),
       loads_(model, executor),
       from_(from),
       to_(to),
+      duration_(duration),
       constraints_(view.on, executor, from, to) {
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(view.on.unknowns()));
   external_before_ = external_at(from, rest);
@@ -38,9 +39,13 @@ void StepBalance::set_inertia(Inertia inertia) {
   evaluate(Eigen::VectorXd::Zero(displacement_.size()));
 }
 
+Eigen::VectorXd StepBalance::load_rate(double step) {
+  return (external_at(to_ + step, displacement_) - external_at(to_ - step, displacement_)) / (2 * step);
+}
+
 bool StepBalance::evaluate(const Eigen::VectorXd& displacement) {
   displacement_ = displacement;
-  trouble_ = responses_.evaluate(view_.on, span_of(displacement), length(), true);
+  trouble_ = responses_.evaluate(view_.on, span_of(displacement), duration_, true);
   if (!trouble_.none()) return false;
   internal_.setZero(displacement.size());
   view_.assembly.add_forces(responses_.forces(), span_of(displacement), span_of(internal_));

@@ -32,8 +32,9 @@ struct Inertia {
 class StepBalance {
  public:
   /// Throws FormulaNotFinite.
+  /// From and to are those of loads and prescribed motions; for the materials it takes `duration`.
   StepBalance(const Model& model, Executor& executor, const GridView& view, Responses& responses, double from,
-              double to);
+              double to, double duration);
 
   /// What is missing to balance after a displacement. False: the materials have no answer.
   bool evaluate(const Eigen::VectorXd& displacement);
@@ -58,7 +59,13 @@ class StepBalance {
   double work(const Eigen::VectorXd& displacement, const Eigen::VectorXd& before = {},
               const Eigen::VectorXd& after = {}) const;
   double to() const { return to_; }
-  double length() const { return to_ - from_; }
+  double from() const { return from_; }
+  double duration() const { return duration_; }
+  /// Moves the end to loads of another time; prescribed motions stay.
+  void set_end(double to) { to_ = to; }
+  /// Derivative of external forces by time at the end and the last displacement, from a difference over twice this
+  /// time.
+  Eigen::VectorXd load_rate(double step);
 
  private:
   Eigen::VectorXd external_at(double time, const Eigen::VectorXd& displacement, SparseMatrix* stiffness = nullptr);
@@ -66,7 +73,7 @@ class StepBalance {
   const GridView& view_;
   Responses& responses_;
   ExternalForces loads_;
-  double from_, to_;
+  double from_, to_, duration_;
   Constraints constraints_;
   Inertia inertia_;
   Responses::Trouble trouble_;

@@ -21,6 +21,8 @@ std::vector<std::string> history_columns(const Model& model) {
       columns.push_back("reactions." + model.conditions[condition].name + "." + std::string(axis));
   if (std::holds_alternative<Relaxation>(model.analysis))
     columns.insert(columns.end(), {"relaxation.residual", "relaxation.steps"});
+  const auto* statics = std::get_if<QuasiStatic>(&model.analysis);
+  if (statics && statics->arc_length) columns.push_back("load_factor");
   return columns;
 }
 

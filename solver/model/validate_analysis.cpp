@@ -75,9 +75,26 @@ void Validator::check_kind(const QuasiStatic& analysis) {
   violations_.within("analysis.quasi_static.load_steps", analysis.load_steps, 1, 1e6);
   check_newton("analysis.quasi_static.newton", analysis.newton);
   check_statics();
-  if (analysis.arc_length)
-    violations_.add("analysis.quasi_static.arc_length", "", "this solver takes steps of given load only",
-                    "leave it out");
+  if (!analysis.arc_length) return;
+  const std::string path = "analysis.quasi_static.arc_length";
+  violations_.within(path + ".steps", analysis.arc_length->steps, 1, 1e6);
+  if (scene_.numerics.scheme != "TLMPM")
+    violations_.add("numerics.scheme", scene_.numerics.scheme,
+                    "a path is followed by the unknowns of one grid, which the updated configuration renews",
+                    "choose \"TLMPM\"");
+  for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
+    const auto& condition = scene_.boundaries[i].condition;
+    const std::string at = indexed("boundaries", i) + ".";
+    const auto* hinge = std::get_if<Hinge>(&condition);
+    const char* moves = std::holds_alternative<PrescribedVelocity>(condition)       ? "prescribed_velocity"
+                        : std::holds_alternative<PrescribedDisplacement>(condition) ? "prescribed_displacement"
+                        : hinge && (hinge->displacement.x || hinge->displacement.y || hinge->displacement.z)
+                            ? "hinge"
+                            : nullptr;
+    if (moves)
+      violations_.add(at + moves, "", "a path is traced under loads, with what is held at rest",
+                      "apply loads, or take steps of given motion without arc_length");
+  }
 }
 
 void Validator::check_kind(const ImplicitDynamics& analysis) {

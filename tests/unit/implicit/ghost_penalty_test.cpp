@@ -39,7 +39,7 @@ Conditions2 conditions(const char* shapes, double reach) {
   executor.begin();
   const GridView view(model, executor);
   Responses responses(model, executor);
-  const StepBalance balance(model, executor, view, responses, 0, 1);
+  const StepBalance balance(model, executor, view, responses, 0, 1, 1);
   const SparseMatrix& expand = balance.constraints().expand();
   return {condition(view, view.ghost, executor.pool(), responses, expand),
           condition(view, {}, executor.pool(), responses, expand)};

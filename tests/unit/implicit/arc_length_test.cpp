@@ -1,0 +1,57 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/unit/implicit/statics.h"
+
+namespace trajan {
+namespace {
+
+using namespace test;
+
+/// One cell of a Saint Venant-Kirchhoff bar under a pressure: P(s) = E/2 (s^3 - s), -E / sqrt(27) at most.
+Scene crushed_bar() {
+  Scene scene = block(Dimension::bar, "st_venant_kirchhoff", 1, 1, 0);
+  scene.loads = {growing(traction("block", Edge::right, {-100 / std::sqrt(27), 0}))};
+  scene.outputs.probes = {{"end", Vector{1, 0}, {Field::displacement}, ""}};
+  QuasiStatic analysis{20};
+  analysis.arc_length = ArcLength{60};
+  scene.analysis.kind = analysis;
+  scene.outputs.samples = 60;
+  return scene;
+}
+
+TEST(ArcLength, FollowsABarBeyondItsLimitLoad) {
+  const Model model = validate(crushed_bar());
+  const Answer answer = solve(model);
+  ASSERT_EQ(answer.result.end, RunEnd::finished) << answer.result.divergence->cause;
+  const std::size_t end = column(model, "end.displacement.x"), factor = column(model, "load_factor");
+  double largest = 0, smallest_stretch = 1;
+  for (const std::vector<double>& row : answer.memory.rows) {
+    // Two particles in the cell: the right one is at three quarters.
+    const double stretch = 1 + row[end] / 0.75;
+    // Newton's tolerance, 1e-8 of the forces.
+    EXPECT_NEAR(row[factor] * -100 / std::sqrt(27), 50 * (stretch * stretch * stretch - stretch), 1e-6);
+    largest = std::max(largest, row[factor]);
+    smallest_stretch = std::min(smallest_stretch, stretch);
+  }
+  // The limit point is between two steps of 1/60 of the load at first: it is flat there.
+  EXPECT_NEAR(largest, 1, 2e-3);
+  EXPECT_LT(smallest_stretch, 0.5) << "the limit is at 0.577";
+}
+
+TEST(ArcLength, GoesOnFromCheckpointsWithTheSameBits) {
+  const Model model = validate(crushed_bar());
+  Memory whole, resumed;
+  RunOptions options;
+  options.checkpoint_interval = 0;
+  run(model, options, whole, {});
+  options.resume = whole.checkpoints.at(30);
+  resumed.rows = {whole.rows.begin(), whole.rows.begin() + 32};
+  run(model, options, resumed, {});
+  EXPECT_EQ(resumed.rows, whole.rows);
+}
+
+}  // namespace
+}  // namespace trajan
