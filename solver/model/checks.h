@@ -37,6 +37,7 @@ class Checks {
   /// The letters that formulas of a place may use: "x", "xy" or "xyz".
   std::string place_variables() const;
   static constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
+  static constexpr std::array<double Vector::*, 3> component = {&Vector::x, &Vector::y, &Vector::z};
   /// Finite, and 0 along axes that the dimension does not have.
   bool check_vector(const std::string& path, Vector value);
   /// A component was given that the dimension does not have.

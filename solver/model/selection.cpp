@@ -81,6 +81,8 @@ void particles_in(const Body& body, const Region& region, std::vector<std::int64
   const Lattice& lattice = body.lattice;
   const LatticePart part(lattice, bounds(region));
   const double slack = tolerance * lattice.spacing.x;
+  const auto most = static_cast<std::size_t>(most_particles_in(body, region));
+  if (particles.empty()) particles.reserve(std::min(most, static_cast<std::size_t>(body.particles)));
   const auto visit = [&](std::int64_t row, Lattice::Range columns, std::int64_t number) {
     const Vector start = lattice.point(0, row);
     for (const Span& span : spans(region, start.y, start.z, slack)) {

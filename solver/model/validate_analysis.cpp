@@ -3,10 +3,23 @@
 
 namespace trajan {
 
+namespace {
+
+/// Its parts, of which there can be as many as samples and steps, are still normal numbers.
+constexpr double shortest_time = 1e-280;
+
+}  // namespace
+
 void Validator::check_analysis() {
-  clock_complete_ = violations_.positive("analysis.end_time", scene_.analysis.end_time);
+  const double end_time = scene_.analysis.end_time;
+  clock_complete_ = violations_.positive("analysis.end_time", end_time);
+  if (clock_complete_ && end_time < shortest_time) {
+    clock_complete_ =
+        violations_.add("analysis.end_time", number_text(end_time), "too short to be divided into steps",
+                        "give at least " + number_text(shortest_time) + ", or choose other units");
+  }
   violations_.not_negative("analysis.damping", scene_.analysis.damping);
-  model_.end_time = scene_.analysis.end_time;
+  model_.end_time = end_time;
   model_.damping = scene_.analysis.damping;
   model_.analysis = scene_.analysis.kind;
   std::visit([this](const auto& kind) { check_kind(kind); }, scene_.analysis.kind);

@@ -70,6 +70,14 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
   const Box domain = grid_box(grid);
   const Box allowed = {{domain.lower.x - slack, domain.lower.y - slack, domain.lower.z - slack},
                        {domain.upper.x + slack, domain.upper.y + slack, domain.upper.z + slack}};
+  for (int axis = 0; axis < axes(); ++axis) {
+    const double thickness = outer.upper.*component[axis] - outer.lower.*component[axis];
+    if (thickness >= slack || thickness < 0) continue;  // parts that do not meet have negative bounds
+    return violations_.add(
+        path + ".geometry", box_text(outer),
+        std::string("along ") + axis_names[axis] + " the body is thinner than a billionth of a cell",
+        "give a thicker body or smaller cells");
+  }
   if (!is_above(allowed.lower, outer.lower, false) || !is_above(outer.upper, allowed.upper, false)) {
     return violations_.add(path + ".geometry", box_text(outer), "the body reaches out of the domain",
                            "stay within " + box_text(domain) + " or enlarge the domain");

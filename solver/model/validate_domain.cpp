@@ -24,8 +24,6 @@ std::string_view description(Dimension dimension) {
   }
 }
 
-double Vector::*const component[] = {&Vector::x, &Vector::y, &Vector::z};
-
 }  // namespace
 
 void Validator::check_domain() {
@@ -73,16 +71,22 @@ void Validator::check_extent() {
 void Validator::check_grid(const std::string& path) {
   const Domain& domain = scene_.domain;
   const double cell = domain.cell_size;
-  double cells[3] = {0, 0, 0}, most = 0, farthest = 0;
+  double cells[3] = {0, 0, 0}, most = 0, farthest = 0, longest = 0;
   for (int axis = 0; axis < axes(); ++axis) {
     const double from = domain.lower.*component[axis], to = domain.upper.*component[axis];
     cells[axis] = std::max(1.0, std::ceil((to - from) / cell - node_tolerance));
     most = std::max(most, cells[axis]);
+    longest = std::max(longest, to - from);
     farthest = std::max({farthest, std::abs(from), std::abs(to)});
   }
   if (!(most <= most_cells)) {
     violations_.add(path, number_text(cell), "this makes " + number_text(most) + " cells along an axis",
                     "give larger cells or a smaller domain: at most 2^30 cells along an axis");
+    return;
+  }
+  if (!(cell <= longest * (1 + node_tolerance))) {
+    violations_.add(path, number_text(cell), "larger than the domain, " + number_text(longest),
+                    "give a cell that fits into the domain");
     return;
   }
   // Beyond this, coordinates are not accurate to a millionth of a cell.

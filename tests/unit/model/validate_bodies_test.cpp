@@ -89,11 +89,18 @@ const std::vector<Mistake> bodies = {
      "\"t\""},
     {"InfiniteVelocity", [](Scene& s) { s.bodies[1].initial_velocity.y = "1 / 0"; },
      "bodies[1].initial_velocity.y", "inf"},
-    {"VolumeThatUnderflows",
+    {"BodyMuchThinnerThanACell",
      [](Scene& s) {
        s.bodies.resize(1);
-       s.bodies[0].geometry = Box{{0, 0}, {1e-200, 1e-200}};
+       s.bodies[0].geometry = Box{{0, 0}, {1, 1e-200}};
        s.loads.clear(), s.outputs.probes[1].where = Vector{};
+     },
+     "bodies[0].geometry", "along y the body is thinner"},
+    {"VolumeThatUnderflows",
+     [](Scene& s) {
+       s.domain.lower = {}, s.domain.upper = {4e-200, 4e-200}, s.domain.cell_size = 1e-200;
+       s.bodies.resize(1), s.bodies[0].geometry = Box{{}, s.domain.upper};
+       s.boundaries.clear(), s.loads.clear(), s.outputs.probes.clear(), s.measures.clear();
      },
      "bodies[0].geometry", "finite volume"},
 };

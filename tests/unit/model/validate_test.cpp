@@ -112,6 +112,8 @@ const std::vector<Mistake> head = {
     {"DomainThatIsNotANumber", [](Scene& s) { s.domain.lower.y = not_a_number; }, "domain.lower.y", "finite"},
     {"NoCells", [](Scene& s) { s.domain.cell_size = 0; }, "domain.cell_size", "greater than 0"},
     {"TooManyCells", [](Scene& s) { s.domain.cell_size = 1e-12; }, "domain.cell_size", "cells along an axis"},
+    {"CellLargerThanTheDomain", [](Scene& s) { s.domain.cell_size = 1e300; }, "domain.cell_size",
+     "larger than the domain"},
     {"CoordinatesBeyondPrecision",
      [](Scene& s) {
        s.domain.lower = {1e12, 1e12}, s.domain.upper = {1e12 + 10, 1e12 + 10};
@@ -194,6 +196,8 @@ const std::vector<Mistake> materials = {
 
 const std::vector<Mistake> numerics = {
     {"NoEnd", [](Scene& s) { s.analysis.end_time = 0; }, "analysis.end_time", "greater than 0"},
+    {"EndTimeThatCannotBeDivided", [](Scene& s) { s.analysis.end_time = 5e-324; }, "analysis.end_time",
+     "too short"},
     {"NegativeDamping", [](Scene& s) { s.analysis.damping = -1; }, "analysis.damping", "not negative"},
     {"UnknownScheme", [](Scene& s) { s.numerics.scheme = "tlmpn"; }, "numerics.scheme", "no scheme \"tlmpn\"",
      "did you mean \"TLMPM\"?"},
