@@ -18,7 +18,8 @@ class Checks {
  public:
   static constexpr std::size_t most_entries = 1000;  ///< of every list with names
   static constexpr double most_particles = 1e9;
-  static constexpr double most_counting = 1e8;        ///< numbers looked at to count particles
+  static constexpr double most_counting = 4e6;        ///< rows of shapes looked at to count particles
+  static constexpr double most_in_box = 1e11;         ///< places of particles in the box around a geometry
   static constexpr std::size_t most_shapes = 10'000;  ///< in set operations
   static constexpr double most_cells = 1 << 30;       ///< along an axis
   static constexpr double most_selected = 1e7;        ///< particles that all mean probes list together

@@ -42,20 +42,15 @@ Lattice::Range neighbours(double coordinate, double first, double spacing, Latti
   return {clamped(below), clamped(below + 1) + 1};
 }
 
-}  // namespace
-
-std::int64_t box_particle(const Body& body, std::int64_t column, std::int64_t row) {
-  return body.first_particle + row * body.lattice.columns + column;
+/// Rows (or planes) at most `reach` from a coordinate, and two more.
+Lattice::Range around(double coordinate, double first, double spacing, std::int64_t count, std::int64_t reach) {
+  const Lattice::Range next = neighbours(coordinate, first, spacing, {0, count});
+  return {std::max<std::int64_t>(0, next.begin - reach), std::min(count, next.end + reach)};
 }
 
-NearestParticle nearest_particle(const Body& body, Vector place) {
+/// The nearest particle of these rows and planes; infinitely far if there is none.
+NearestParticle nearest_in(const Body& body, Vector place, Lattice::Range rows, Lattice::Range planes) {
   const Lattice& lattice = body.lattice;
-  const bool box = std::holds_alternative<Box>(lattice.geometry);
-  const auto near = [&](double coordinate, double first, double spacing, std::int64_t count) {
-    return box ? neighbours(coordinate, first, spacing, {0, count}) : Lattice::Range{0, count};
-  };
-  const auto rows = near(place.y, lattice.first.y, lattice.spacing.y, lattice.rows);
-  const auto planes = near(place.z, lattice.first.z, lattice.spacing.z, lattice.planes);
   const double equal = tolerance * lattice.spacing.x;
   NearestParticle best{body.first_particle, std::numeric_limits<double>::infinity()};
   const auto visit = [&](std::int64_t row, Lattice::Range columns, std::int64_t number) {
@@ -68,6 +63,26 @@ NearestParticle nearest_particle(const Body& body, Vector place) {
   for (std::int64_t plane = planes.begin; plane < planes.end; ++plane)
     lattice.for_each_range(plane * lattice.rows + rows.begin, plane * lattice.rows + rows.end, visit);
   return best;
+}
+
+}  // namespace
+
+std::int64_t box_particle(const Body& body, std::int64_t column, std::int64_t row) {
+  return body.first_particle + row * body.lattice.columns + column;
+}
+
+NearestParticle nearest_particle(const Body& body, Vector place) {
+  const Lattice& lattice = body.lattice;
+  const double equal = tolerance * lattice.spacing.x;
+  const double across = lattice.planes > 1 ? std::min(lattice.spacing.y, lattice.spacing.z) : lattice.spacing.y;
+  // Rows farther and farther away are looked at until none can be nearer.
+  for (std::int64_t reach = 1;; reach *= 2) {
+    const auto rows = around(place.y, lattice.first.y, lattice.spacing.y, lattice.rows, reach);
+    const auto planes = around(place.z, lattice.first.z, lattice.spacing.z, lattice.planes, reach);
+    const NearestParticle best = nearest_in(body, place, rows, planes);
+    const bool all = rows.end - rows.begin == lattice.rows && planes.end - planes.begin == lattice.planes;
+    if (all || best.distance + equal < static_cast<double>(reach) * across) return best;
+  }
 }
 
 double most_particles_in(const Body& body, const Region& region) {

@@ -85,7 +85,8 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
   const LatticeSize size = lattice_size(geometry, grid.cell, definition.particles_per_cell_side, axes());
   counting_ += size.work;
   const bool box = std::holds_alternative<Box>(geometry);
-  if (box ? !(size.points <= most_particles) : !(counting_ <= most_counting)) return too_many(path, size.points);
+  if (!(size.points <= (box ? most_particles : most_in_box)) || !(counting_ <= most_counting))
+    return too_many(path, size.points);
   body.lattice = make_lattice(geometry, grid.origin, grid.cell, definition.particles_per_cell_side, axes());
   body.lattice.number_points();
   body.particles = body.lattice.count();
