@@ -1,0 +1,11 @@
+"""The cases by number: each is a module with TITLE, SOURCE and run(section)."""
+
+import importlib
+
+CASES = {
+    1: "static_bar",
+}
+
+
+def load(number):
+    return importlib.import_module(f"validation.cases.{CASES[number]}")

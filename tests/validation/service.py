@@ -1,0 +1,122 @@
+"""A private server and the command-line client, as a user has them."""
+
+import contextlib
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+from dataclasses import dataclass
+
+import h5py
+
+PATIENCE = 3600  # seconds until a job is given up
+
+
+@dataclass
+class Result:
+    """A finished job: its result file, its measures by name and the core-seconds that it took."""
+
+    file: pathlib.Path
+    core_seconds: float
+    measures: dict
+
+    def history(self, probe, field):
+        """Times, shape (rows,), and a probe's values, shape (rows, components), or (rows,) if there is one component."""
+        with h5py.File(self.file) as file:
+            group = file["probes"][probe]
+            values = group[field][:]
+            return group["time"][:], values[:, 0] if values.ndim == 2 and values.shape[1] == 1 else values
+
+    def column(self, group, name):
+        """A column of the energies, the momentum, the reactions or the modes by its name."""
+        with h5py.File(self.file) as file:
+            return file[group][name][:]
+
+    def snapshot(self, *fields, index=-1):
+        """Of a snapshot (the last by default): current positions, shape (particles, 3), and the fields named."""
+        with h5py.File(self.file) as file:
+            root = file["VTKHDF"]
+            count = int(root["NumberOfPoints"][index])
+            start = int(root["Steps/PointOffsets"][index])
+            here = slice(start, start + count)
+            return [root["Points"][here]] + [root["PointData"][field][here] for field in fields]
+
+
+def descendants(process):
+    """A process and all its descendants, by id."""
+    found = [process]
+    for parent in found:
+        for task in pathlib.Path(f"/proc/{parent}/task").glob("*/children"):
+            with contextlib.suppress(OSError):
+                found += [int(child) for child in task.read_text().split()]
+    return found
+
+
+def processor_seconds(process):
+    """Of a process, its descendants and those of them that have ended and were waited for."""
+    ticks = 0
+    for one in descendants(process):
+        with contextlib.suppress(OSError):
+            fields = pathlib.Path(f"/proc/{one}/stat").read_text().rpartition(")")[2].split()
+            ticks += sum(int(field) for field in fields[11:15])  # utime, stime, cutime, cstime: proc(5)
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+class Service:
+    """Runs scenes through `trajan submit`, `watch` and `fetch` on a server of its own with one single-threaded worker."""
+
+    def __init__(self, programs, folder, reuse=False):
+        self._program = str(programs / "trajan")
+        self._folder = folder
+        self._reuse = reuse
+        self._exits = contextlib.ExitStack()
+
+    def __enter__(self):
+        # The socket's path must be short.
+        state = self._exits.enter_context(tempfile.TemporaryDirectory())
+        self._environment = dict(os.environ, XDG_STATE_HOME=state)
+        self._environment.pop("TRAJAN_SERVER", None)
+        log = self._exits.enter_context(open(self._folder / "server.log", "w", encoding="utf-8"))
+        options = ["--workers", "1", "--threads-per-worker", "1", "--log-level", "warning"]
+        self._server = subprocess.Popen(
+            [self._program, "serve", *options], env=self._environment, stdout=subprocess.PIPE, stderr=log
+        )
+        self._exits.callback(lambda: (self._server.terminate(), self._server.wait(), self._server.stdout.close()))
+        if b"listening" not in self._server.stdout.readline():
+            raise RuntimeError(f"the server did not start; see {self._folder / 'server.log'}")
+        return self
+
+    def __exit__(self, *_):
+        self._exits.close()
+
+    def _call(self, *arguments, text=None, accept=(0,)):
+        done = subprocess.run(
+            [self._program, *arguments], env=self._environment, input=text, text=True, capture_output=True,
+            timeout=PATIENCE,
+        )
+        if done.returncode not in accept:
+            raise RuntimeError(f"trajan {' '.join(arguments)}: {done.stderr}")
+        return done.stdout
+
+    def run(self, name, scene):
+        """The result of a scene given as text; raises RuntimeError if there is none. `name` is a folder of the report."""
+        folder = self._folder / name
+        written = folder / "scene.textproto"
+        costs = folder / "run.json"
+        if self._reuse and costs.exists() and written.read_text(encoding="utf-8") == scene:
+            return Result(folder / "result.vtkhdf", **json.loads(costs.read_text(encoding="utf-8")))
+        folder.mkdir(parents=True, exist_ok=True)
+        costs.unlink(missing_ok=True)
+        written.write_text(scene, encoding="utf-8")
+        before = processor_seconds(self._server.pid)
+        job = self._call("submit", "-", text=scene).strip()
+        self._call("watch", job, accept=(0, 1))  # 1: it failed, which its state says, or missed a tolerance
+        spent = processor_seconds(self._server.pid) - before
+        told = json.loads(self._call("show", job, "-o", "json"))
+        if told["state"] != "SUCCEEDED":
+            raise RuntimeError(f"{name}: {told['state']}: {told.get('failure', '')}")
+        self._call("fetch", job, "--directory", str(folder))
+        measures = {measure["name"]: measure.get("value") for measure in told.get("measures", [])}
+        costs.write_text(json.dumps({"core_seconds": spent, "measures": measures}), encoding="utf-8")
+        return Result(folder / "result.vtkhdf", spent, measures)
