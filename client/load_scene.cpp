@@ -55,10 +55,13 @@ LoadedScene read_scene(const std::string& source) {
 
 }  // namespace
 
-LoadedScene load_scene(const std::string& source) {
-  LoadedScene scene = read_scene(source);
+LoadedScene load_scene(const SceneSource& source) {
+  LoadedScene scene = read_scene(source.name);
+  if (scene.text.diagnostics().empty()) {
+    for (const std::string& change : source.changes) scene.text.change(change);
+  }
   // Of standard input and of gallery scenes this is the current folder.
-  scene.text.read_mesh_files(std::filesystem::path(source).parent_path());
+  scene.text.read_mesh_files(std::filesystem::path(source.name).parent_path());
   return scene;
 }
 

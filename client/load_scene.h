@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "client/connection.h"
 #include "client/scene_text.h"
@@ -13,9 +14,15 @@ struct LoadedScene {
   SceneText text;
 };
 
-/// `source`: a file (JSON if it ends in .json), `-` for standard input, or the name of a gallery scene.
-/// Throws CommandError if there is no such thing; mistakes in the scene are in its diagnostics.
-LoadedScene load_scene(const std::string& source);
+/// Where a scene comes from, and what the command line changes in it.
+struct SceneSource {
+  std::string name;
+  std::vector<std::string> changes;  ///< see field_change.h
+};
+
+/// `name`: a file (JSON if it ends in .json), `-` for standard input, or the name of a gallery scene.
+/// Throws CommandError if there is no such thing or no such field; mistakes in the scene are in its diagnostics.
+LoadedScene load_scene(const SceneSource& source);
 
 /// Prints every mistake of the scene, with the violations that the server found, and throws CommandError (usage).
 [[noreturn]] void fail_for_mistakes(const LoadedScene& scene,

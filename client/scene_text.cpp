@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "client/field_change.h"
 #include "client/mesh_files.h"
 #include "client/parse_problem.h"
 #include "client/utf8.h"
@@ -77,6 +78,11 @@ std::string schema_path(const SceneOutline& outline, int field) {
 bool is_at_or_below(std::string_view path, std::string_view ancestor) {
   if (!path.starts_with(ancestor)) return false;
   return path.size() == ancestor.size() || path[ancestor.size()] == '.' || path[ancestor.size()] == '[';
+}
+
+bool is_at_or_below_any(std::string_view path, const std::vector<std::string>& ancestors) {
+  return std::ranges::any_of(ancestors,
+                             [&](const std::string& ancestor) { return is_at_or_below(path, ancestor); });
 }
 
 }  // namespace
@@ -222,6 +228,8 @@ void SceneText::add_diagnostic(std::size_t offset, std::size_t length, std::stri
       {outline_->position(offset), static_cast<int>(length), {}, std::move(message), std::move(hint)});
 }
 
+void SceneText::change(const std::string& change) { changed_.push_back(change_field(scene_, change)); }
+
 Diagnostic SceneText::locate(const v1::Violation& violation) const {
   Diagnostic diagnostic;
   diagnostic.path = violation.path();
@@ -231,6 +239,7 @@ Diagnostic SceneText::locate(const v1::Violation& violation) const {
   const bool is_quoted = violation.problem().find('"' + violation.value() + '"') != std::string::npos;
   if (!violation.value().empty() && !is_quoted) diagnostic.message += fmt::format(" (got {})", violation.value());
   diagnostic.hint = violation.remedy();
+  if (is_at_or_below_any(violation.path(), changed_)) return diagnostic;
   const SceneOutline::Match match = outline_->find(violation.path());
   if (match.field == -1) return diagnostic;
   const SceneOutline::Field& field = outline_->fields()[match.field];
@@ -247,10 +256,7 @@ std::vector<Diagnostic> SceneText::merge(
     const google::protobuf::RepeatedPtrField<v1::Violation>& violations) const {
   std::vector<Diagnostic> all = diagnostics_;
   for (const v1::Violation& violation : violations) {
-    const bool follows = std::any_of(suspects_.begin(), suspects_.end(), [&](const std::string& suspect) {
-      return is_at_or_below(violation.path(), suspect);
-    });
-    if (!follows) all.push_back(locate(violation));
+    if (!is_at_or_below_any(violation.path(), suspects_)) all.push_back(locate(violation));
   }
   std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.position.line, a.position.column) < std::pair(b.position.line, b.position.column);

@@ -37,6 +37,10 @@ class SceneText {
   /// read is a mistake.
   void read_mesh_files(const std::filesystem::path& folder);
 
+  /// Changes a field as `change_field` does; violations of it are no longer looked for in the text. Throws
+  /// CommandError.
+  void change(const std::string& change);
+
   /// Complete only if there are no diagnostics; otherwise without the fields that could not be read.
   const v1::Scene& scene() const { return scene_; }
   /// Mistakes of spelling and form, in the order of the text.
@@ -68,6 +72,7 @@ class SceneText {
   v1::Scene scene_;
   std::vector<Diagnostic> diagnostics_;
   std::vector<std::string> suspects_;  ///< paths that were left out or probably meant
+  std::vector<std::string> changed_;   ///< paths whose values are not those of the text
   bool has_structure_ = true;
 };
 

@@ -12,7 +12,7 @@ namespace trajan::client {
 namespace {
 
 struct CheckOptions {
-  std::string scene;
+  SceneSource scene;
   OutputFormat output = OutputFormat::table;
 };
 
@@ -58,7 +58,7 @@ ExitCode check(const GlobalOptions& global, const CheckOptions& options) {
 
 void declare_check(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto options = std::make_shared<CheckOptions>();
-  app.add_option("scene", options->scene, "A scene file, - for standard input, or a gallery scene")->required();
+  add_scene_options(app, options->scene);
   add_output_option(app, options->output, {"table", "json", "jsonl", "csv"});
   set_action(app, global, action, options, check);
 }

@@ -28,6 +28,15 @@ std::span<const Command> commands() {
   return all;
 }
 
+void add_scene_options(CLI::App& app, SceneSource& scene) {
+  app.add_option("scene", scene.name, "A scene file, - for standard input, or a gallery scene")->required();
+  app.add_option("--set", scene.changes, "Another value of a field, as in domain.cell_size=0.1; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 void add_output_option(CLI::App& app, OutputFormat& output, const std::vector<std::string>& formats) {
   static const std::map<std::string, OutputFormat> known{{"table", OutputFormat::table},
                                                          {"json", OutputFormat::json},

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "client/connection.h"
+#include "client/load_scene.h"
 #include "client/table.h"
 
 namespace trajan::client {
@@ -37,6 +38,9 @@ void set_action(CLI::App& app, const GlobalOptions& global, Action& action, std:
     action = [&global, options, perform] { return perform(global, *options); };
   });
 }
+
+/// The argument `scene` and `--set PATH=VALUE`.
+void add_scene_options(CLI::App& app, SceneSource& scene);
 
 /// `-o, --output FORMAT`, one of `formats`.
 void add_output_option(CLI::App& app, OutputFormat& output, const std::vector<std::string>& formats);

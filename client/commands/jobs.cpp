@@ -16,7 +16,7 @@ namespace trajan::client {
 namespace {
 
 struct Submit {
-  std::string scene;
+  SceneSource scene;
   SubmitOptions options;
   OutputFormat output = OutputFormat::table;
 };
@@ -164,7 +164,7 @@ ExitCode remove(const GlobalOptions& global, const JobIds& asked) {
 
 void declare_submit(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto asked = std::make_shared<Submit>();
-  app.add_option("scene", asked->scene, "A scene file, - for standard input, or a gallery scene")->required();
+  add_scene_options(app, asked->scene);
   app.add_option("--label", asked->options.labels, "A label of the job; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)

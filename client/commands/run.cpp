@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Run {
-  std::string scene;
+  SceneSource scene;
   std::string folder;
   SubmitOptions options;
   bool picture = true;
@@ -122,7 +122,7 @@ ExitCode run(const GlobalOptions& global, const Run& asked) {
 
 void declare_run(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto asked = std::make_shared<Run>();
-  app.add_option("scene", asked->scene, "A scene file, - for standard input, or a gallery scene")->required();
+  add_scene_options(app, asked->scene);
   app.add_option("-O,--directory", asked->folder, "Where to put the results (default: <scene>-<job>)")
       ->type_name("DIR");
   app.add_option("--label", asked->options.labels, "A label of the job; may be repeated")

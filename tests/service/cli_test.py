@@ -118,6 +118,14 @@ def test_the_same_request_id_makes_one_job(trajan, server):
     assert len(trajan("ls", "-o", "jsonl").stdout.splitlines()) == 1
 
 
+def test_the_job_has_the_scene_with_the_fields_that_were_set(trajan, server):
+    job = trajan("submit", "-", "--set", "analysis.end_time=0.5", "--set", "description=half as long",
+                 text=SCENE % 1).stdout.strip()
+    scene = trajan("show", job, "--scene").stdout
+    assert "end_time: 0.5" in scene and 'description: "half as long"' in scene
+    assert "not PATH=VALUE" in trajan("submit", "-", "--set", "=", text=SCENE % 1, expect=2).stderr
+
+
 def test_watch_detaches_on_an_interrupt_and_resumes(trajan, server, environment):
     job = submit(trajan, end_time=20000)
     watcher = subprocess.Popen([TRAJAN, "watch", job], env=environment, stderr=subprocess.PIPE, text=True)
