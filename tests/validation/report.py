@@ -57,8 +57,12 @@ def section_text(section):
         lines += [remark, ""]
     if section.failure:
         lines += ["**This case failed:**", "", "```", section.failure.rstrip(), "```", ""]
-    if section.rows:
-        lines += table(section.rows) + [""]
+    goals = [row for row in section.rows if row.goal is not None]
+    others = [row for row in section.rows if row.goal is None]
+    if goals:
+        lines += table(goals) + [""]
+    if others:
+        lines += ["For comparison, with other settings:", "", *table(others), ""]
     sources = unique(row.source for row in section.rows)
     if sources:
         lines += ["True references: " + "; ".join(sources) + ".", ""]

@@ -4,6 +4,7 @@ import importlib
 
 CASES = {
     1: "static_bar",
+    6: "free_vibration",
 }
 
 
