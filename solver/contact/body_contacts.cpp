@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "solver/contact/apart.h"
+
 namespace trajan {
 namespace {
 
@@ -79,7 +81,7 @@ void BodyContacts::find(Place& place, Near& near, const Tiles& tiles, const std:
       find_nearby(tiles, bodies, sweep, tiles.tiles()[place.first + f], shared, near.of_field);
     }
     for (int node = 0; node < tile_nodes; ++node)
-      if (shared >> node & 1u) find_at_node(place, node, tiles, bodies, near);
+      if (shared >> node & 1u) find_at_node(place, node, tiles, near);
   }
   // What sticks does so until the next kick.
   for (NodeContact& contact : near.contacts) {
@@ -89,8 +91,7 @@ void BodyContacts::find(Place& place, Near& near, const Tiles& tiles, const std:
   place.contacts.assign(near.contacts.begin(), near.contacts.end());
 }
 
-void BodyContacts::find_at_node(const Place& place, int node, const Tiles& tiles,
-                                const std::vector<BodyParticles>& bodies, Near& near) const {
+void BodyContacts::find_at_node(const Place& place, int node, const Tiles& tiles, Near& near) const {
   for (std::uint32_t a = 0; a < place.fields; ++a)
     for (std::uint32_t b = a + 1; b < place.fields; ++b) {
       if (!(mass_of(tiles, place.first + a, node) > 0 && mass_of(tiles, place.first + b, node) > 0)) continue;
@@ -105,11 +106,10 @@ void BodyContacts::find_at_node(const Place& place, int node, const Tiles& tiles
       if (friction) {
         const NearbyParticles& of_a = near.particles[a * std::size_t{tile_nodes} + static_cast<std::size_t>(node)];
         const NearbyParticles& of_b = near.particles[b * std::size_t{tile_nodes} + static_cast<std::size_t>(node)];
-        if (of_a.places.empty() || of_b.places.empty()) continue;
+        if (of_a.places.empty() || of_b.places.empty() || are_apart(axes_, of_a, of_b)) continue;
         const Components n = separating_normal(axes_, of_a.places, of_b.places);
-        const double to_a = reach(axes_, bodies, of_a, n),
-                     to_b = reach(axes_, bodies, of_b, {-n[0], -n[1], -n[2]});
-        if (!(to_a + to_b >= 0) || are_apart(axes_, bodies, of_a, of_b, n)) continue;
+        const double to_a = reach(of_a, n), to_b = reach(of_b, {-n[0], -n[1], -n[2]});
+        if (!(to_a + to_b >= 0)) continue;
         contact.normal = n;
       }
       near.contacts.push_back(contact);

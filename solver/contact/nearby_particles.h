@@ -1,25 +1,36 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "solver/contact/separating_plane.h"
 #include "solver/executors/tiles.h"
 #include "solver/simulation/particles.h"
-#include "solver/surfaces/riders.h"
 
 namespace trajan {
 
-/// The particles of one field that are near a node: places in cells from the node, and who they are.
+/// The ellipsoid within a particle's deformed cuboid, in cells: E E^T of its half edges E, as xx, yy, zz, xy, yz,
+/// xz.
+using Ellipsoid = std::array<double, 6>;
+
+Components product(const Ellipsoid& ellipsoid, const Components& vector);
+
+/// The particles of one field that are near a node: places in cells from the node, and how far they reach from
+/// there.
 struct NearbyParticles {
   std::vector<Components> places;
-  std::vector<Slot> particles;
+  std::vector<Ellipsoid> ellipsoids;
   void clear() {
     places.clear();
-    particles.clear();
+    ellipsoids.clear();
   }
-  void add(const Components& place, Slot particle) {
+  void add(const Components& place, const Ellipsoid& ellipsoid) {
     places.push_back(place);
-    particles.push_back(particle);
+    ellipsoids.push_back(ellipsoid);
+  }
+  /// How far a particle reaches along a unit vector.
+  double reach(std::size_t particle, const Components& along) const {
+    return dot(places[particle], along) + std::sqrt(dot(along, product(ellipsoids[particle], along)));
   }
 };
 
@@ -31,14 +42,8 @@ inline constexpr double nearby = 2;
 void find_nearby(const Tiles& tiles, const std::vector<BodyParticles>& bodies, const SweepConstants& sweep,
                  const Tile& tile, std::uint64_t nodes, std::vector<NearbyParticles*>& near);
 
-/// How far a field reaches along a unit vector from a node, in cells: particles are ellipsoids within their
-/// deformed cuboids. Of those that are not too far beside the vector, if there are some.
-double reach(int axes, const std::vector<BodyParticles>& bodies, const NearbyParticles& near,
-             const Components& along);
-
-/// Whether some plane lies between the particles of two fields, which then do not touch. It is sought from the
-/// given normal on where the convex hulls of their centres are closest (Gilbert 1966).
-bool are_apart(int axes, const std::vector<BodyParticles>& bodies, const NearbyParticles& first,
-               const NearbyParticles& second, const Components& normal);
+/// How far a field reaches along a unit vector from a node, in cells. Of those that are not too far beside the
+/// vector, if there are some.
+double reach(const NearbyParticles& near, const Components& along);
 
 }  // namespace trajan

@@ -16,13 +16,12 @@ constexpr int most_iterations = 20;
 /// A normal that still turns by less, as a tangent, is found.
 constexpr double least_turn = 1e-3;
 
-/// A plane in N axes: N components of a normal and an offset, and what they are to make smallest.
+/// A plane in N axes: N components of a normal and an offset, and the slope of what they are to make smallest.
 template <int N>
 struct Regression {
   using Vector = Eigen::Matrix<double, N + 1, 1>;
   using Matrix = Eigen::Matrix<double, N + 1, N + 1>;
   struct Objective {
-    double value;
     Vector gradient;
     Matrix curvature;
   };
@@ -33,7 +32,6 @@ struct Regression {
     Objective of;
     of.gradient = ridge * plane;
     of.gradient[N] = 0;
-    of.value = 0.5 * plane.dot(of.gradient);
     of.curvature = ridge * Matrix::Identity();
     of.curvature(N, N) = least_curvature;
     for (int c = 0; c < 2; ++c) {
@@ -42,10 +40,9 @@ struct Regression {
         Vector z;
         for (int axis = 0; axis < N; ++axis) z[axis] = point[static_cast<std::size_t>(axis)];
         z[N] = 1;
-        // log(1 + exp(-margin)) and its derivatives, without overflow.
+        // Derivatives of log(1 + exp(-margin)), without overflow.
         const double margin = label * z.dot(plane), power = std::exp(-std::abs(margin));
         const double wrong = (margin > 0 ? power : 1) / (1 + power);
-        of.value += weight * (std::log1p(power) + std::max(-margin, 0.0));
         of.gradient -= (weight * label * wrong) * z;
         of.curvature.noalias() += (weight * wrong * (1 - wrong)) * z * z.transpose();
       }
@@ -68,8 +65,9 @@ struct Regression {
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       Vector step = -now.curvature.ldlt().solve(now.gradient);
       Objective next = at(plane + step);
-      // It is convex: a shorter step always helps.
-      for (int halving = 0; halving < 30 && !(next.value <= now.value); ++halving) {
+      // It is convex: along the step its slope grows from below 0, and must not come out steeper.
+      const double slope = -now.gradient.dot(step);
+      for (int halving = 0; halving < 30 && !(next.gradient.dot(step) <= slope); ++halving) {
         step *= 0.5;
         next = at(plane + step);
       }

@@ -40,12 +40,6 @@ const std::vector<Mistake> contacts = {
        s.numerics.scheme = "TLMPM";
      },
      "contacts", "total Lagrangian", "MUSL"},
-    {"ShapeFunctionsThatReachTooFar",
-     [](Scene& s) {
-       s.contacts = {{}};
-       s.numerics.shape_functions = "cubic_bspline";
-     },
-     "numerics.shape_functions", "before the faces meet", "quadratic_bspline"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Contacts, ContactMistake, testing::ValuesIn(contacts), name_of);
