@@ -79,7 +79,7 @@ AnalysisKind to_kind(const v1::Analysis& message) {
     case v1::Analysis::kImplicitDynamics:
       return to_implicit_dynamics(message.implicit_dynamics());
     case v1::Analysis::kModal:
-      return Modal{};
+      return Modal{to_mass_matrix(message.modal().mass())};
     case v1::Analysis::kBuckling:
       return Buckling{};
     case v1::Analysis::kExplicitDynamics:

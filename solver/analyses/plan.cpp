@@ -38,6 +38,8 @@ ModelPlan plan(const Model& model) {
     plan_implicit_steps(model, statics->load_steps, plan);
   else if (const auto* dynamics = std::get_if<ImplicitDynamics>(&model.analysis))
     plan_implicit_steps(model, dynamics->time_steps, plan);
+  else if (std::holds_alternative<Modal>(model.analysis) || std::holds_alternative<Buckling>(model.analysis))
+    plan_implicit_steps(model, model.outputs.samples, plan);
   else
     plan_explicit_steps(model, plan);
 

@@ -3,6 +3,7 @@
 #include "solver/implicit/arc_length_steps.h"
 #include "solver/implicit/dynamic_steps.h"
 #include "solver/implicit/quasi_static_steps.h"
+#include "solver/modal/mode_steps.h"
 #include "solver/relaxation/dynamic_relaxation.h"
 
 namespace trajan {
@@ -15,6 +16,10 @@ std::unique_ptr<Stepper> make_stepper(const Model& model, Executor& executor, co
     return std::make_unique<DynamicSteps>(model, *analysis, executor, resume);
   if (const auto* analysis = std::get_if<Relaxation>(&model.analysis))
     return std::make_unique<DynamicRelaxation>(model, *analysis, executor, resume);
+  if (const auto* analysis = std::get_if<Modal>(&model.analysis))
+    return std::make_unique<ModalSteps>(model, *analysis, executor, resume);
+  if (std::holds_alternative<Buckling>(model.analysis))
+    return std::make_unique<BucklingSteps>(model, executor, resume);
   return nullptr;
 }
 

@@ -19,6 +19,13 @@ std::vector<std::string> history_columns(const Model& model) {
   for (std::size_t condition : model.outputs.reactions)
     for (const std::string_view axis : vector_components(model.dimension))
       columns.push_back("reactions." + model.conditions[condition].name + "." + std::string(axis));
+  if (std::holds_alternative<Modal>(model.analysis)) {
+    columns.insert(columns.end(), {"modes.frequency", "modes.residual"});
+    for (const std::string_view axis : vector_components(model.dimension))
+      columns.push_back("modes.participation." + std::string(axis));
+  }
+  if (std::holds_alternative<Buckling>(model.analysis))
+    columns.insert(columns.end(), {"modes.load_factor", "modes.residual"});
   if (std::holds_alternative<Relaxation>(model.analysis))
     columns.insert(columns.end(), {"relaxation.residual", "relaxation.steps"});
   const auto* statics = std::get_if<QuasiStatic>(&model.analysis);

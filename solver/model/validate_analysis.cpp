@@ -84,6 +84,11 @@ void Validator::check_newton(const std::string& path, const Newton& newton) {
                     "choose AUTOMATIC, DIRECT or ITERATIVE");
 }
 
+void Validator::check_mass(const std::string& path, MassMatrix mass) {
+  if (mass == MassMatrix::unspecified)
+    violations_.add(path + ".mass", "", "there is no such mass matrix", "choose CONSISTENT or LUMPED");
+}
+
 void Validator::check_kind(const QuasiStatic& analysis) {
   violations_.within("analysis.quasi_static.load_steps", analysis.load_steps, 1, 1e6);
   check_newton("analysis.quasi_static.newton", analysis.newton);
@@ -124,16 +129,31 @@ void Validator::check_kind(const ImplicitDynamics& analysis) {
     violations_.within(path + ".generalized_alpha.spectral_radius",
                        std::get<GeneralizedAlpha>(analysis.method).spectral_radius, 0, 1);
   }
-  if (analysis.mass == MassMatrix::unspecified)
-    violations_.add(path + ".mass", "", "there is no such mass matrix", "choose CONSISTENT or LUMPED");
+  check_mass(path, analysis.mass);
 }
 
-void Validator::check_kind(const Modal&) {
-  violations_.add("analysis.modal", "", "this solver knows no modes", "choose implicit_dynamics");
+/// Samples are modes.
+void Validator::check_modes() {
+  constexpr std::int32_t most = 1000;
+  check_statics();
+  if (scene_.outputs.samples > most)
+    violations_.add("outputs.samples", std::to_string(scene_.outputs.samples), "every sample is a mode",
+                    "ask for at most 1000");
+  for (std::size_t i = 0; i < scene_.loads.size(); ++i) {
+    const auto* pressure = std::get_if<Pressure>(&scene_.loads[i].kind);
+    if (pressure && pressure->follows)
+      violations_.add(
+          indexed("loads", i) + ".pressure.configuration", "",
+          "a pressure that follows the surface makes the stiffness unsymmetric, which modes must not be of",
+          "choose REFERENCE");
+  }
 }
 
-void Validator::check_kind(const Buckling&) {
-  violations_.add("analysis.buckling", "", "this solver knows no buckling loads", "choose quasi_static");
+void Validator::check_kind(const Modal& analysis) {
+  check_modes();
+  check_mass("analysis.modal", analysis.mass);
 }
+
+void Validator::check_kind(const Buckling&) { check_modes(); }
 
 }  // namespace trajan

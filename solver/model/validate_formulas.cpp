@@ -32,7 +32,7 @@ std::optional<Expression> Checks::formula(const std::string& path, const std::st
 std::optional<Expression> Checks::history_formula(const std::string& path, const std::string& text,
                                                   const std::string& place, Vector at) {
   auto expression = formula(path, text, place + "t", at);
-  const double end = scene_.analysis.end_time;
+  const double end = model_.end_time;
   if (!expression || !std::isfinite(end)) return expression;
   for (int i = 1; i <= history_checks; ++i) {
     const double t = end * i / history_checks;

@@ -48,7 +48,7 @@ void Validator::check_measure(const std::string& path, const MeasureDefinition& 
 }
 
 void Validator::check_window(const std::string& path, const MeasureDefinition& definition, Measure& measure) {
-  const double end = scene_.analysis.end_time;
+  const double end = model_.end_time;
   measure.from = definition.from;
   measure.until = definition.until.value_or(end);
   const bool from = violations_.not_negative(path + ".from", definition.from);
@@ -61,7 +61,7 @@ void Validator::check_window(const std::string& path, const MeasureDefinition& d
   }
   const bool spectrum = std::holds_alternative<DominantFrequency>(definition.kind);
   const std::int64_t needed = spectrum ? fewest_samples_of_a_spectrum : 1;
-  const std::int64_t count = sample_window(measure.from, measure.until, end, scene_.outputs.samples).count();
+  const std::int64_t count = sample_window(measure.from, measure.until, end, model_.outputs.samples).count();
   if (count < needed) {
     violations_.add(
         path + ".from", number_text(measure.from),
@@ -75,7 +75,7 @@ void Validator::check_frequency(const std::string& path, const DominantFrequency
   const bool lowest = violations_.not_negative(path + ".lowest", frequency.lowest);
   const bool highest = !frequency.highest || violations_.positive(path + ".highest", *frequency.highest);
   if (!lowest || !highest || !clock_complete_) return;
-  const double nyquist = scene_.outputs.samples / scene_.analysis.end_time / 2;
+  const double nyquist = static_cast<double>(model_.outputs.samples) / model_.end_time / 2;
   if (frequency.highest && *frequency.highest > nyquist) {
     violations_.add(path + ".highest", number_text(*frequency.highest), "above half the sampling rate",
                     "give at most " + number_text(nyquist) + " or more outputs.samples");

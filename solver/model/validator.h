@@ -85,10 +85,12 @@ class Validator : private Checks {
   void check_kind(const Relaxation& analysis);
   void check_kind(const QuasiStatic& analysis);
   void check_kind(const ImplicitDynamics& analysis);
-  void check_kind(const Modal&);
+  void check_kind(const Modal& analysis);
   void check_kind(const Buckling&);
+  void check_modes();
   void check_implicit_choices();
   void check_statics();
+  void check_mass(const std::string& path, MassMatrix mass);
   void check_newton(const std::string& path, const Newton& newton);
   void check_numerics();
   void check_combinations();

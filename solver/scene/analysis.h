@@ -51,7 +51,9 @@ struct ImplicitDynamics {
   MassMatrix mass = MassMatrix::consistent;
 };
 
-struct Modal {};
+struct Modal {
+  MassMatrix mass = MassMatrix::consistent;
+};
 
 struct Buckling {};
 

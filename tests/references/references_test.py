@@ -11,6 +11,7 @@ import unittest
 import numpy as np
 
 import cantilever
+import column_buckling
 import compliant_bar
 import elastica
 import simply_supported_beam
@@ -71,6 +72,15 @@ class SimplySupportedBeam(unittest.TestCase):
         # The scene prints seven digits.
         self.assertAlmostEqual(constant("ss_beam", "f1"), self.computed["rayleigh_lamb_frequency"], delta=5e-8)
 
+    def test_the_scene_of_modes_states_three_of_them(self):
+        for number, frequency in enumerate(self.computed["rayleigh_lamb_frequencies"], 1):
+            self.assertAlmostEqual(constant("beam_modes", f"f{number}"), frequency, delta=5e-7)
+
+    def test_finite_elements_find_the_same_three_frequencies(self):
+        # Cubic elements one unit long; the third wave is three elements long from node to node.
+        for error, most in zip(self.computed["finite_element_errors"], (1e-5, 3e-4, 3e-3)):
+            self.assertLess(error, most)
+
     def test_finite_elements_find_the_same_frequency(self):
         # Cubic elements one unit long: (k h)^6 is about 4e-3, and the constant of the error is small.
         self.assertLess(self.computed["finite_element_error"], 1e-5)
@@ -79,6 +89,26 @@ class SimplySupportedBeam(unittest.TestCase):
         exact = self.computed["rayleigh_lamb_frequency"]
         self.assertLess(abs(self.computed["timoshenko_frequency"] / exact - 1), 2e-5)
         self.assertGreater(self.computed["euler_bernoulli_frequency"] / exact - 1, 0.02)
+
+
+class ColumnBuckling(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.computed = column_buckling.reference(fine=False)
+
+    def test_the_scene_states_what_finite_elements_find(self):
+        tolerance = self.computed["linearised_error"] + 5e-6
+        self.assertLess(tolerance, 1e-3)
+        self.assertAlmostEqual(constant("column_buckling", "critical"), self.computed["linearised"], delta=tolerance)
+
+    def test_it_is_euler_s_but_for_shear_and_compression(self):
+        # At the critical load the column is compressed by 8e-4; shear adds twice as much.
+        self.assertLess(abs(self.computed["linearised"] / self.computed["euler"] - 1), 0.005)
+
+    def test_the_true_path_loses_its_stability_there(self):
+        # Laws differ by about six times the strain.
+        for law in ("saint_venant_kirchhoff", "hencky"):
+            self.assertLess(abs(self.computed[f"path_{law}"] / self.computed["linearised"] - 1), 0.006)
 
 
 class CompliantBar(unittest.TestCase):

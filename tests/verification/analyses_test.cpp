@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "tests/verification/convergence.h"
 #include "tests/verification/gallery.h"
@@ -50,6 +52,122 @@ TEST(Relaxation, FindsLargeDeflectionsToo) {
   EXPECT_LT(one, -4);
   EXPECT_NEAR(one, other, 0.001 * std::abs(one));
   EXPECT_LT(2 * at_once.steps, ramped.steps);
+}
+
+/// Modes of the gallery's beam; the first is the rigid motion along it.
+Scene modes(const std::string& shape_functions, double cell_size, int particles_per_cell_side = 2) {
+  Scene scene = with_cells(gallery_scene("beam_modes"), cell_size);
+  scene.numerics.shape_functions = shape_functions;
+  scene.bodies.at(0).particles_per_cell_side = particles_per_cell_side;
+  return scene;
+}
+
+constexpr const char* bending_modes[] = {"first_frequency", "second_frequency", "third_frequency"};
+
+/// Of the second order, for both masses: the errors of frequencies are those of energies.
+void expect_second_order(MassMatrix mass) {
+  for (const char* measure : bending_modes) {
+    ConvergenceTable table(std::string("beam_modes, linear, ") + measure);
+    for (const double cell_size : {0.5, 0.25, 0.125}) {
+      Scene scene = modes("linear", cell_size);
+      scene.analysis.kind = Modal{mass};
+      table.add(cell_size, *run_scene(scene).measure(measure).error);
+    }
+    table.print();
+    EXPECT_NEAR(table.order(), 2, 0.2) << measure << ", next to terms of the fourth order";
+  }
+}
+
+TEST(BeamModes, ConvergeToRayleighAndLambsFrequencies) { expect_second_order(MassMatrix::consistent); }
+
+TEST(BeamModes, ConvergeWithLumpedMassesToo) { expect_second_order(MassMatrix::lumped); }
+
+// The midpoint rule of n particles over the height makes the second moment of the area smaller by the share 1 /
+// n^2, and the frequency by half of that. Splines' own error is less than a tenth of it, as are stresses along the
+// height.
+TEST(BeamModes, WithSplinesAreAsGoodAsTheParticlesQuadrature) {
+  for (const char* shape_functions : {"quadratic_bspline", "cubic_bspline"})
+    for (const int particles : {2, 4, 8}) {
+      const double n = particles / 0.25;
+      const double error = *run_scene(modes(shape_functions, 0.25, particles)).measure("first_frequency").error;
+      std::printf("%s, %g particles over the height: error %.3e, of the midpoint rule %.3e\n", shape_functions, n,
+                  error, -0.5 / (n * n));
+      EXPECT_NEAR(error, -0.5 / (n * n), 0.1 * 0.5 / (n * n));
+    }
+}
+
+/// Errors of a mode of a bar that is held at one end, with particles' quadrature error, which is of the second
+/// order, extrapolated away.
+class BarModes : public testing::TestWithParam<std::tuple<const char*, double>> {
+ protected:
+  static double frequency(double cell_size, int particles_per_cell_side) {
+    Scene scene = modes(std::get<0>(GetParam()), cell_size, particles_per_cell_side);
+    scene.domain = {Dimension::bar, {0, 0}, {12, 0}, cell_size, {}, 1};
+    scene.bodies[0].geometry = Box{{0, 0}, {8, 0}};
+    scene.boundaries = {{"wall", Region{Box{{0, 0}, {0, 0}}}, Fixed{}}};
+    scene.outputs.probes.clear();
+    scene.measures.clear();
+    return run_scene(scene).history("modes.frequency").at(3);
+  }
+};
+
+TEST_P(BarModes, ConvergeAtTwiceTheDegreeOfTheShapeFunctions) {
+  const auto [shape_functions, order] = GetParam();
+  // Five quarters of a wave.
+  const double exact = 5 * std::sqrt(3000.0) / 32;
+  ConvergenceTable table(std::string("third mode of a bar, ") + shape_functions);
+  for (const double cell_size : {1.0, 0.5}) {
+    const double frequency_without_quadrature = (4 * frequency(cell_size, 16) - frequency(cell_size, 8)) / 3;
+    table.add(cell_size, frequency_without_quadrature / exact - 1);
+  }
+  table.print();
+  EXPECT_NEAR(table.order(), order, 0.3) << "six and thirteen cells a wave";
+}
+INSTANTIATE_TEST_SUITE_P(ShapeFunctions, BarModes,
+                         testing::Values(std::tuple{"linear", 2.0}, std::tuple{"quadratic_bspline", 4.0},
+                                         std::tuple{"cubic_bspline", 6.0}),
+                         [](const auto& named) { return std::string(std::get<0>(named.param)); });
+
+// On one grid with one mass. A history maps the velocities of its gradients twice, which smooths: 0.05 % with this
+// wave and these cells.
+TEST(BeamModes, AgreeWithTheHistory) {
+  const double history = run_scene(gallery_scene("ss_beam")).measure("first_frequency").value;
+  Scene lumped = gallery_scene("beam_modes");
+  lumped.analysis.kind = Modal{MassMatrix::lumped};
+  const double mode = run_scene(lumped).measure("first_frequency").value;
+  std::printf("%.7f by a history, %.7f by modes: %.3f %%\n", history, mode, 100 * (history / mode - 1));
+  EXPECT_NEAR(history, mode, 0.001 * mode);
+}
+
+// Tension T adds T k^2 / rho A to omega^2 of a thin beam, which is then heavier by the inertia of turning, k^2 h^2
+// / 12 (0.1 %), and longer by the strain of 0.1 %, which counts three times.
+TEST(BeamModes, RiseWithTensionAsThoseOfAString) {
+  Scene scene = modes("linear", 0.125);
+  scene.domain.lower.y = -0.25;
+  scene.domain.upper = {8.25, 0.5};
+  std::get<Box>(scene.bodies[0].geometry).upper.y = 0.25;
+  Hinge hinge;
+  hinge.surface = {"beam", Edge::left, {}};
+  hinge.kind = HingeKind::mean;
+  scene.boundaries[0] = {"hinge", {}, hinge};
+  scene.boundaries[1].nodes = Region{Box{{8, -0.25}, {8, 0.5}}};
+  scene.outputs.probes[0].where = Vector{4, 0.125};
+  scene.numerics.scheme = "TLMPM";
+  scene.measures.clear();
+  const double slack = run_scene(scene).history("modes.frequency").at(1);
+  const double stress = 3, k = std::numbers::pi / 8;
+  scene.loads = {{"tension", EdgeTraction{"beam", Edge::right, {stress, 0, 0}, "", {}}}};
+  const double tight = run_scene(scene).history("modes.frequency").at(1);
+  const double rise = std::pow(2 * std::numbers::pi, 2) * (tight * tight - slack * slack);
+  std::printf("%.6f slack, %.6f tight: %.3f %% of the string's rise\n", slack, tight,
+              100 * rise / (stress * k * k));
+  EXPECT_NEAR(rise, stress * k * k, 0.01 * stress * k * k);
+}
+
+TEST(ColumnBuckling, HasTheCriticalLoadOfElasticity) {
+  const MeasureValue factor = run_scene(gallery_scene("column_buckling")).measure("critical_factor");
+  std::printf("critical load %.6f, exact %.6f\n", factor.value, *factor.exact);
+  EXPECT_LE(std::abs(*factor.error), 0.005);
 }
 
 }  // namespace

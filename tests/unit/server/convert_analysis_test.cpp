@@ -17,7 +17,7 @@ constexpr std::array texts = {
     "analysis { implicit_dynamics { time_steps: 21 newton { linear_solver: DIRECT } mass: LUMPED"
     " newmark { beta: 0.22 gamma: 0.23 } } }",
     "analysis { implicit_dynamics { mass: CONSISTENT generalized_alpha { spectral_radius: 0.24 } } }",
-    "analysis { modal {} }",
+    "analysis { modal { mass: LUMPED } }",
     "analysis { buckling {} }",
 };
 
@@ -41,7 +41,7 @@ TEST(ConvertAnalysis, TellsKindsApart) {
   EXPECT_TRUE(std::holds_alternative<ExplicitDynamics>(kind_of(texts[0])));
   EXPECT_TRUE(std::holds_alternative<ExplicitDynamics>(kind_of(""))) << "the default";
   EXPECT_TRUE(std::holds_alternative<Relaxation>(kind_of(texts[1])));
-  EXPECT_TRUE(std::holds_alternative<Modal>(kind_of(texts[6])));
+  EXPECT_EQ(std::get<Modal>(kind_of(texts[6])).mass, MassMatrix::lumped);
   EXPECT_TRUE(std::holds_alternative<Buckling>(kind_of(texts[7])));
 }
 
