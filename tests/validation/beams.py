@@ -1,6 +1,29 @@
 """Parts of the scene `beam`: its ends, and what can be done with it."""
 
+import numpy as np
+
 LENGTH, HEIGHT, MODULUS, RATIO, DENSITY = 8.0, 1.0, 3000.0, 0.3, 1.0
+
+STATIONS = 33  # cross-sections whose mean displacement is recorded, evenly from end to end
+
+
+def stations(cell, length=LENGTH):
+    """Probes of the mean over cross-sections."""
+    text = []
+    for i, x in enumerate(np.linspace(0, length, STATIONS)):
+        box = f"box {{ lower {{ x: {x - cell / 2} y: 0 }} upper {{ x: {x + cell / 2} y: {HEIGHT} }} }}"
+        text.append(f'probes {{ name: "station_{i}" mean {{ {box} }} fields: [POSITION, DISPLACEMENT] }}')
+    return "\n".join(text)
+
+
+def deflections(result):
+    """Of the stations: times, places x at rest, and displacements across the beam, shape (times, stations)."""
+    x, across = [], []
+    for i in range(STATIONS):
+        time, moved = result.history(f"station_{i}", "displacement")
+        x.append(result.history(f"station_{i}", "position")[1][0, 0] - moved[0, 0])
+        across.append(moved[:, 1])
+    return time, np.array(x), np.array(across).T
 
 
 def nodes(name, x, cell, condition):
@@ -12,17 +35,19 @@ def nodes(name, x, cell, condition):
     )
 
 
-def hinge(name, edge, kind, within=""):
-    """An edge, or a part of it, held in the transverse direction."""
+def hinge(name, edge, kind, within="", axes="Y"):
+    """An edge, or a part of it, held."""
     surface = f'surface {{ body: "beam" edge: {edge} {within} }}'
-    return f'boundaries {{ name: "{name}" hinge {{ {surface} kind: {kind} axes: Y }} }}'
+    return f'boundaries {{ name: "{name}" hinge {{ {surface} kind: {kind} axes: {axes} }} }}'
 
 
 def end(kind, edge, length, cell, patch=HEIGHT / 4):
-    """The text of an end of one of beam_frequencies.py's kinds."""
+    """The text of an end of one of the kinds of beam_elements.py."""
     name, x = f"{edge.lower()}_end", 0 if edge == "LEFT" else length
     if kind == "clamped":
         return nodes(name, x, cell, "fixed {}")
+    if kind == "axial":
+        return nodes(name, x, cell, "fixed { axes: X }") + hinge(f"{name}_mean", edge, "MEAN")
     if kind == "hinged":
         return nodes(name, x, cell, "fixed { axes: Y }")
     if kind == "mean":
@@ -33,7 +58,33 @@ def end(kind, edge, length, cell, patch=HEIGHT / 4):
     return ""
 
 
-def values(ends, cell, length=LENGTH, particles=2, shapes="linear", scheme="TLMPM", **text):
+def axially_held():
+    """What keeps a beam on two hinges in its place along itself: the mean over an edge, which nothing pushes."""
+    return hinge("axial_support", "LEFT", "MEAN", axes="X")
+
+
+def end_shear(load, time):
+    """A load across the right end, distributed as the parabola of beam theory."""
+    return (
+        f'loads {{ name: "end_shear" edge_traction {{ body: "beam" edge: RIGHT traction {{ y: {load} }} '
+        f'profile: "6 * y * (1 - y)" }} time {{ {time} }} }}'
+    )
+
+
+def top_load(load, time):
+    """A load per length on the upper edge."""
+    return (
+        f'loads {{ name: "top_load" edge_traction {{ body: "beam" edge: TOP traction {{ y: {load} }} }} '
+        f"time {{ {time} }} }}"
+    )
+
+
+def body_load(load, time):
+    """A load per length, distributed over the cross-section."""
+    return f'loads {{ name: "body_load" body_force {{ acceleration {{ y: {load / DENSITY} }} }} time {{ {time} }} }}'
+
+
+def values(ends, cell, length=LENGTH, particles=2, shapes="linear", scheme="TLMPM", axial_support="", **text):
     """What the scene's template wants; `text` gives motion, loads, analysis, outputs and measures."""
     left, right = (end(kind, edge, length, cell) for kind, edge in zip(ends, ("LEFT", "RIGHT")))
     # Faces of the domain are supports, where wide functions end; elsewhere there is room for them.
@@ -41,6 +92,6 @@ def values(ends, cell, length=LENGTH, particles=2, shapes="linear", scheme="TLMP
     return {
         "cell": cell, "length": length, "particles": particles, "shapes": shapes, "scheme": scheme,
         "left": -room if ends[0] == "free" else 0, "right": length + room if ends[1] == "free" else length,
-        "below": -room, "above": HEIGHT + room, "supports": f"{left}\n{right}",
+        "below": -room, "above": HEIGHT + room, "supports": f"{left}\n{right}\n{axial_support}",
         "motion": "", "loads": "", "measures": "",
     } | text

@@ -83,7 +83,8 @@ class Section:
         from matplotlib import pyplot
 
         file = f"{self.number:02}_{name}.png"
-        figure.savefig(self._folder / file, dpi=120, bbox_inches="tight")
+        figure.tight_layout()
+        figure.savefig(self._folder / file, dpi=120)
         pyplot.close(figure)
         self.pictures.append((file, caption))
 

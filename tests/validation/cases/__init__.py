@@ -4,6 +4,8 @@ import importlib
 
 CASES = {
     1: "static_bar",
+    3: "static_cantilever",
+    4: "static_simple_beam",
     6: "free_vibration",
 }
 

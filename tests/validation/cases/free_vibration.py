@@ -20,7 +20,6 @@ FIGURES = {"cantilever": 13, "simply_supported": 14, "fixed_fixed": 15, "fixed_h
 TABLES = {"cantilever": 6, "simply_supported": 7, "fixed_fixed": 8, "fixed_hinged": 9}
 MODES = (1, 2, 3)
 GOAL = 1e-3
-STATIONS = 33
 # Clamped corners, where the stress is singular, want finer cells.
 CELLS = {"cantilever": 1 / 12, "simply_supported": 1 / 16, "fixed_fixed": 1 / 16, "fixed_hinged": 1 / 16}
 AMPLITUDE = 1e-4  # of the deflection: the motion is linear
@@ -58,15 +57,6 @@ def start(beam, length=beams.LENGTH):
     return f'initial_velocity {{ y: "{" + ".join(terms)}" }}'
 
 
-def stations(cell, length=beams.LENGTH):
-    """Probes of the mean over cross-sections."""
-    text = []
-    for i, x in enumerate(np.linspace(0, length, STATIONS)):
-        box = f"box {{ lower {{ x: {x - cell / 2} y: 0 }} upper {{ x: {x + cell / 2} y: 1 }} }}"
-        text.append(f'probes {{ name: "station_{i}" mean {{ {box} }} fields: [POSITION, DISPLACEMENT] }}')
-    return "\n".join(text)
-
-
 def ranges(frequencies):
     """Between neighbouring frequencies."""
     between = (frequencies[:-1] + frequencies[1:]) / 2
@@ -82,7 +72,7 @@ def frequency_measures(column, expected):
 
 def watched(reference):
     """The station where all modes move most."""
-    places = np.linspace(0, beams.LENGTH, STATIONS)
+    places = np.linspace(0, beams.LENGTH, beams.STATIONS)
     return np.abs(exact_shapes(reference)(places)).min(axis=0).argmax()
 
 
@@ -98,7 +88,7 @@ def vibrate(section, name, beam, reference, cell, **numerics):
         name, "beam", **beams.values(
             beam_frequencies.BEAMS[beam], cell, motion=start(beam),
             analysis=f"end_time: {PERIODS / expected[0]!r}",
-            outputs=f"samples: {samples} snapshots: 1\n{stations(cell)}",
+            outputs=f"samples: {samples} snapshots: 1\n{beams.stations(cell)}",
             measures=frequency_measures(f"station_{watched(reference)}.displacement.y", expected), **numerics,
         ),
     )
@@ -106,13 +96,9 @@ def vibrate(section, name, beam, reference, cell, **numerics):
 
 def moved_shapes(result, frequencies):
     """Stations, and the mode shapes there: the histories' Fourier coefficients at the frequencies, (modes, stations)."""
-    x, y = [], []
-    for i in range(STATIONS):
-        time, moved = result.history(f"station_{i}", "displacement")
-        x.append(result.history(f"station_{i}", "position")[1][0, 0] - moved[0, 0])
-        y.append(moved[:, 1])
+    time, x, moved = beams.deflections(result)
     waves = np.sin(2 * np.pi * np.outer(frequencies, time)) * np.hanning(len(time))
-    shapes = waves @ np.array(y).T
+    shapes = waves @ moved
     return np.array(x), np.array([shape / shape[np.abs(shape).argmax()] for shape in shapes])
 
 
