@@ -4,6 +4,7 @@ import importlib
 
 CASES = {
     1: "static_bar",
+    2: "axial_vibration",
     3: "static_cantilever",
     4: "static_simple_beam",
     6: "free_vibration",

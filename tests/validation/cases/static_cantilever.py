@@ -124,15 +124,13 @@ def dissertation_ramp(section):
         section, "ramp", "clamped", 1 / 12, "end_time: 22.2", time=f"ramp {{ duration: {RAMP} }}", samples=300,
     )
     found, true = end_deflection(x, across), ramped(body, time)
-    scale = np.abs(true).max()
     at_end = np.argmin(np.abs(time - RAMP))
     settings = "time history, TLMPM, linear functions, cells of 1/12"
     source = "plane elasticity, modal superposition: tests/references/beam_elements.py"
     section.row("end deflection at the end of the ramp, t 4.44", true[at_end], source, found[at_end], settings,
                 result.core_seconds, PRINTED[32], PRINTED_REFERENCE, 0.01)
-    worst = np.abs(found - true).argmax()
-    section.row("largest distance from the exact motion in 5 ramps, of the peak", true[worst], source, found[worst],
-                settings, result.core_seconds, goal=0.01, scale=scale)
+    section.row("largest distance from the exact motion in 5 ramps, of the peak", 0.0, source,
+                np.abs(found - true).max() / np.abs(true).max(), settings, result.core_seconds, goal=0.01, scale=1.0)
     figure, axes = plots.axes()
     axes.plot(time, true, label="plane elasticity", **plots.REFERENCE)
     axes.plot(time[::6], found[::6], "o", markersize=3, color=plots.COLOURS[0], label="Trajan")
