@@ -185,10 +185,10 @@ def tangent_of(law, gradient, step=1e-6):
     return tangent
 
 
-def solve_static(mesh, law, force, held, steps=4, tolerance=1e-11):
-    """The equilibrium under dead nodal forces, reached in load steps by Newton's method."""
+def solve_static(mesh, law, force, held, steps=4, tolerance=1e-11, start=None):
+    """The equilibrium under dead nodal forces, reached in load steps by Newton's method, from rest or from `start`."""
     free = mesh.free_unknowns(held)
-    u = np.zeros((len(mesh.points), 2))
+    u = np.zeros((len(mesh.points), 2)) if start is None else start.copy()
     for step in range(1, steps + 1):
         for _ in range(30):
             residual = (step / steps * force - mesh.internal_force(u, law))[free]

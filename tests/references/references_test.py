@@ -5,6 +5,7 @@ discretisation's own error (the difference to the fine one, which gave the print
 printed digit.
 """
 
+import json
 import pathlib
 import unittest
 
@@ -13,7 +14,10 @@ import numpy as np
 import cantilever
 import column_buckling
 import compliant_bar
+import compliant_cube
 import elastica
+import large_deflection
+import nonlinear_vibration
 import simply_supported_beam
 from scene_text import constant
 
@@ -127,6 +131,55 @@ class CompliantBar(unittest.TestCase):
         self.assertEqual(len(stored), len(self.history))
         # 0.5 % of the largest extension, half of what the history is used to prove.
         self.assertLess(np.abs(stored[:, 1] - self.history).max(), 0.005 * stored[:, 1].max())
+
+
+class CompliantCube(unittest.TestCase):
+    def test_the_stored_history_is_the_one_that_finite_elements_give(self):
+        _, stored = np.loadtxt(HERE / "compliant_cube_history.csv", delimiter=",", skiprows=1).T
+        # The coarse mesh's own error: 0.5 % of the largest extension.
+        self.assertLess(np.abs(stored - compliant_cube.extension_history(1, 2, 4)).max(), 0.005 * stored.max())
+
+
+class LargeDeflection(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.stored = np.loadtxt(HERE / "large_deflection.csv", delimiter=",", skiprows=1)
+
+    def test_the_beam_without_stretch_and_shear_is_the_elastica(self):
+        found = elastica.reference()
+        ((deflection, shortening),) = large_deflection.beam([found["uniform_load"]], stretches=False)
+        # The tolerance of the collocation is 1e-9 of the rates.
+        self.assertAlmostEqual(deflection, elastica.DEFLECTION, delta=1e-7)
+        self.assertAlmostEqual(1 - shortening, found["uniform_load_x"], delta=1e-7)
+
+    def test_the_stored_table_is_the_one_that_the_programs_compute(self):
+        loads = self.stored[[10, 20], 0]
+        for stretches, columns in ((False, slice(1, 3)), (True, slice(3, 5))):
+            # Half of the last digit.
+            np.testing.assert_allclose(large_deflection.beam(loads, stretches), self.stored[[10, 20], columns], atol=6e-8)
+        places = (large_deflection.LENGTH, large_deflection.PLACE)
+        plane = large_deflection.plane_body(loads, places, columns=6, rows=2, degree=4).reshape(2, 4)
+        # The coarse mesh's own error.
+        np.testing.assert_allclose(plane, self.stored[[10, 20], 5:], atol=1e-4)
+
+
+class NonlinearVibration(unittest.TestCase):
+    def test_the_hinged_beam_s_frequency_is_woinowsky_krieger_s(self):
+        # His equation's period by quadrature of the energy: w'^2 + w^2 + w^4 / 8 = 1 + 1 / 8 at w = sin(angle).
+        angle = (np.arange(2000) + 0.5) * np.pi / 4000
+        quarter = np.mean(1 / np.sqrt(1 + (1 + np.sin(angle) ** 2) / 8)) * np.pi / 2
+        self.assertAlmostEqual(nonlinear_vibration.duffing("simply_supported", 1.0), (np.pi / 2 / quarter) ** 2, delta=1e-9)
+
+    def test_the_stored_frequencies_are_those_that_finite_elements_find(self):
+        stored = json.loads((HERE / "nonlinear_vibration.json").read_text())["fixed_hinged 4"]
+        (row,) = (row for row in stored["rows"] if row["amplitude"] == 1.0)
+        found = nonlinear_vibration.vibrations("fixed_hinged", 4.0, 4, amplitudes=(1.0,))
+        # The stored errors are the differences to this degree.
+        error = stored["linear_frequency_error"] * 1.001
+        self.assertAlmostEqual(found["linear_frequency"], stored["linear_frequency"], delta=error)
+        self.assertAlmostEqual(found["rows"][0]["ratio"], row["ratio"], delta=1.001 * row["ratio_error"])
+        # The mean of extremes between time steps.
+        self.assertAlmostEqual(found["rows"][0]["reached"], row["reached"], delta=2e-3)
 
 
 if __name__ == "__main__":

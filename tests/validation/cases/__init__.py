@@ -8,6 +8,8 @@ CASES = {
     3: "static_cantilever",
     4: "static_simple_beam",
     6: "free_vibration",
+    7: "nonlinear_free_vibration",
+    9: "large_deflection",
 }
 
 
