@@ -3,10 +3,12 @@
 //   convergence_table                          everything, which takes a quarter of an hour
 //   convergence_table SOLUTION                 one manufactured solution
 //   convergence_table SOLUTION WORD…           only the rows whose names are among the words, for example
-//                                              MUSL TLMPM cubic_bspline FLIP FMPM
+//                                              MUSL TLMPM cubic_bspline FLIP FMPM; a number is that of the
+//                                              particles per cell side
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ constexpr int levels = 3;
 
 struct Row {
   std::string scheme, shape, transfer;
+  std::optional<int> particles_per_cell_side;
 };
 
 /// Whether the words, if there are any of this kind, name it.
@@ -33,12 +36,21 @@ bool wanted(const std::string& name, const Names& kind, const std::vector<std::s
   return asked(name) || std::ranges::none_of(kind, asked);
 }
 
+std::optional<int> number_among(const std::vector<std::string>& words) {
+  const auto is_number = [](const std::string& word) {
+    return word.find_first_not_of("0123456789") == std::string::npos;
+  };
+  const auto found = std::ranges::find_if(words, is_number);
+  if (found == words.end()) return std::nullopt;
+  return std::stoi(*found);
+}
+
 std::vector<Row> rows(const std::vector<std::string>& words) {
   std::vector<Row> result;
   for (const std::string_view scheme : scheme_names())
     for (const std::string_view shape : shape_names())
       for (const std::string_view transfer : transfer_names()) {
-        Row row{std::string(scheme), std::string(shape), std::string(transfer)};
+        Row row{std::string(scheme), std::string(shape), std::string(transfer), number_among(words)};
         if (wanted(row.scheme, scheme_names(), words) && wanted(row.shape, shape_names(), words) &&
             wanted(row.transfer, transfer_names(), words))
           result.push_back(row);
@@ -47,7 +59,8 @@ std::vector<Row> rows(const std::vector<std::string>& words) {
 }
 
 void print_row(const ManufacturedSolution& solution, const Row& row) {
-  const Scene scene = with_numerics(gallery_scene(solution.scene), row.scheme, row.shape, row.transfer);
+  Scene scene = with_numerics(gallery_scene(solution.scene), row.scheme, row.shape, row.transfer);
+  if (row.particles_per_cell_side) scene.bodies[0].particles_per_cell_side = *row.particles_per_cell_side;
   ConvergenceTable table(solution.scene);
   std::printf("| %s | %s | %s | %s |", solution.scene, row.scheme.c_str(), row.shape.c_str(),
               row.transfer.c_str());
