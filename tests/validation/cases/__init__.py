@@ -9,7 +9,10 @@ CASES = {
     4: "static_simple_beam",
     6: "free_vibration",
     7: "nonlinear_free_vibration",
+    8: "vertical_bar",
     9: "large_deflection",
+    10: "column",
+    11: "bamboo",
 }
 
 
