@@ -75,16 +75,56 @@ def rayleigh_lamb(mode, length=8.0):
     """Of a beam on two hinged ends, Hz: the lowest flexural wave of the wave number mode pi / L, which meets these ends
     exactly (Graff 1975, Wave Motion in Elastic Solids, section 8.1, with the longitudinal speed of plane stress)."""
     k, half = mode * np.pi / length, HEIGHT / 2
-    longitudinal2 = MODULUS / (DENSITY * (1 - RATIO**2))
-    shear2 = MODULUS / (2 * (1 + RATIO) * DENSITY)
 
     def mismatch(frequency):
-        w2 = (2 * np.pi * frequency) ** 2
-        a, b = np.sqrt(k**2 - w2 / longitudinal2), np.sqrt(k**2 - w2 / shear2)
+        a, b = decay_rates(k, frequency)
         return 4 * k**2 * a * b * np.tanh(b * half) - (k**2 + b**2) ** 2 * np.tanh(a * half)
 
     guess = timoshenko(mode, length)
     return scipy.optimize.brentq(mismatch, 0.97 * guess, 1.02 * guess, xtol=1e-15, rtol=1e-14)
+
+
+def decay_rates(k, frequency):
+    """Of the longitudinal and of the shear part of a wave over the height."""
+    w2 = (2 * np.pi * frequency) ** 2
+    longitudinal2 = MODULUS / (DENSITY * (1 - RATIO**2))
+    shear2 = MODULUS / (2 * (1 + RATIO) * DENSITY)
+    return np.sqrt(k**2 - w2 / longitudinal2), np.sqrt(k**2 - w2 / shear2)
+
+
+@dataclass
+class FlexuralWave:
+    """The wave of Rayleigh and Lamb that is a mode of a beam on two hinged ends: axial displacement u(y) cos(k x) and
+    transverse v(y) sin(k x), y from the mid-line, where the mean of v over the height is 1:
+    u = p k sinh(a y) + q b sinh(b y), v = p a cosh(a y) + q k cosh(b y)."""
+
+    k: float
+    a: float
+    b: float
+    p: float
+    q: float
+
+    def axial(self, y):
+        return self.p * self.k * np.sinh(self.a * y) + self.q * self.b * np.sinh(self.b * y)
+
+    def transverse(self, y):
+        return self.p * self.a * np.cosh(self.a * y) + self.q * self.k * np.cosh(self.b * y)
+
+
+def flexural_wave(mode, length=8.0):
+    """Surfaces without shear stress give the ratio of its parts."""
+    k, half = mode * np.pi / length, HEIGHT / 2
+    a, b = decay_rates(k, rayleigh_lamb(mode, length))
+    ratio = -2 * k * a * np.cosh(a * half) / ((b**2 + k**2) * np.cosh(b * half))
+    mean = (np.sinh(a * half) + ratio * k / b * np.sinh(b * half)) / half
+    return FlexuralWave(k, a, b, 1 / mean, ratio / mean)
+
+
+def timoshenko_rotation(mode, length=8.0, correction=5 * (1 + RATIO) / (6 + 5 * RATIO)):
+    """Of cross-sections for a unit deflection, of a beam on two hinges: less than Bernoulli's k by the shear strain."""
+    k = mode * np.pi / length
+    shear = correction * MODULUS / (2 * (1 + RATIO))
+    return k - DENSITY * (2 * np.pi * timoshenko(mode, length)) ** 2 / (shear * k)
 
 
 def finite_elements(beam, length, level, modes=3):

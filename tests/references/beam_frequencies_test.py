@@ -4,6 +4,7 @@ import unittest
 
 import numpy as np
 
+import beam_elements
 import beam_frequencies
 
 
@@ -13,6 +14,23 @@ class Frequencies(unittest.TestCase):
         exact = [beam_frequencies.rayleigh_lamb(mode) for mode in (1, 2, 3)]
         # The finer level is far nearer than the two are to each other.
         np.testing.assert_allclose(modes.frequencies, exact, rtol=0.01 * error)
+
+    def test_the_wave_is_the_shape_of_the_first_mode(self):
+        body = beam_elements.Beam(("hinged", "hinged"), 8.0, beam_elements.LEVELS[1])
+        shape = body.modes(1, 1.0)[1][0].reshape(body.mesh.rows, body.mesh.columns, 2)
+        wave = beam_frequencies.flexural_wave(1)
+        middle = np.abs(body.mesh.axis_x - 4).argmin()
+        amplitude = body.section_means(shape)[middle, 1]
+        y = body.mesh.axis_y - 0.5
+        # Eigenvectors are as near as the square root of the frequencies' error, which is 1e-10 here.
+        np.testing.assert_allclose(shape[:, 0, 0] / amplitude, wave.axial(y), atol=1e-5)
+        np.testing.assert_allclose(shape[:, middle, 1] / amplitude, wave.transverse(y), atol=1e-5)
+
+    def test_sections_turn_as_timoshenko_s_nearly(self):
+        wave = beam_frequencies.flexural_wave(1)
+        # The slope of the cubic that sections become, at mid-height, against the straight section's.
+        self.assertAlmostEqual(-wave.axial(0.5) / 0.5, beam_frequencies.timoshenko_rotation(1), delta=0.03 * wave.k)
+        self.assertLess(beam_frequencies.timoshenko_rotation(1), wave.k)
 
     def test_hinges_that_hold_less_vibrate_more_slowly(self):
         whole, mean, patch = (

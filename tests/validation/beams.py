@@ -26,6 +26,28 @@ def deflections(result):
     return time, np.array(x), np.array(across).T
 
 
+def free_end(x, across, length=LENGTH):
+    """The deflection at the free end, which bends nowhere: straight on from the last two stations with particles of their
+    own. Of stations `across`, the last axis."""
+    before = np.flatnonzero(x < x[-1])[-1]
+    slope = (across[..., -1] - across[..., before]) / (x[-1] - x[before])
+    return across[..., -1] + slope * (length - x[-1])
+
+
+def modes(result):
+    """Bending modes found by the modal analysis: frequencies, places x at rest, displacements across, (modes, stations)."""
+    frequencies = result.column("modes", "frequency")[1:]
+    _, x, across = deflections(result)
+    along = np.array([result.history(f"station_{i}", "displacement")[1][1:, 0] for i in range(STATIONS)]).T
+    bends = np.abs(across[1:]).max(axis=1) > np.abs(along).max(axis=1)
+    return frequencies[bends], x, across[1:][bends]
+
+
+def modal(count):
+    """Analysis and samples for the lowest modes, rigid and axial ones among them."""
+    return f"end_time: {count} modal {{}}", f"samples: {count}"
+
+
 def nodes(name, x, cell, condition):
     """A condition on all nodes of the grid that the edge at x may touch."""
     low, high = -2 * cell, HEIGHT + 2 * cell
@@ -84,13 +106,14 @@ def body_load(load, time):
     return f'loads {{ name: "body_load" body_force {{ acceleration {{ y: {load / DENSITY} }} }} time {{ {time} }} }}'
 
 
-def values(ends, cell, length=LENGTH, particles=2, shapes="linear", scheme="TLMPM", axial_support="", **text):
+def values(ends, cell, length=LENGTH, particles=2, shapes="linear", scheme="TLMPM", axial_support="", modulus=MODULUS,
+           **text):
     """What the scene's template wants; `text` gives motion, loads, analysis, outputs and measures."""
     left, right = (end(kind, edge, length, cell) for kind, edge in zip(ends, ("LEFT", "RIGHT")))
     # Faces of the domain are supports, where wide functions end; elsewhere there is room for them.
     room = 4 * cell
     return {
-        "cell": cell, "length": length, "particles": particles, "shapes": shapes, "scheme": scheme,
+        "cell": cell, "length": length, "modulus": modulus, "particles": particles, "shapes": shapes, "scheme": scheme,
         "left": -room if ends[0] == "free" else 0, "right": length + room if ends[1] == "free" else length,
         "below": -room, "above": HEIGHT + room, "supports": f"{left}\n{right}\n{axial_support}",
         "motion": "", "loads": "", "measures": "",

@@ -23,15 +23,19 @@ def goal(row):
     return f"{percent(row.goal)}: {'met' if row.met else '**missed**'}"
 
 
+def markdown_table(headings, lines):
+    return ["| " + " | ".join(cells) + " |" for cells in (headings, ["---"] * len(headings), *lines)]
+
+
 def table(rows):
-    lines = ["| " + " | ".join(HEADINGS) + " |", "|" + "---|" * len(HEADINGS)]
+    lines = []
     for row in rows:
         cells = (
             row.what, number(row.printed), number(row.printed_reference), number(row.true), number(row.trajan),
             percent(row.error), percent(row.printed_error), goal(row), f"{row.core_seconds:.2f}", row.settings,
         )
-        lines.append("| " + " | ".join(cells) + " |")
-    return lines
+        lines.append(cells)
+    return markdown_table(HEADINGS, lines)
 
 
 def verdict(sections):
@@ -63,6 +67,8 @@ def section_text(section):
         lines += table(goals) + [""]
     if others:
         lines += ["For comparison, with other settings:", "", *table(others), ""]
+    for caption, headings, text in section.tables:
+        lines += [caption, "", *markdown_table(headings, text), ""]
     sources = unique(row.source for row in section.rows)
     if sources:
         lines += ["True references: " + "; ".join(sources) + ".", ""]
@@ -96,7 +102,7 @@ def data(section):
     rows = [asdict(row) | {"error": row.error, "printed_error": row.printed_error, "met": row.met} for row in section.rows]
     return {
         "number": section.number, "title": section.title, "source": section.source, "rows": rows,
-        "pictures": [file for file, _ in section.pictures], "remarks": section.remarks, "failure": section.failure,
+        "pictures": [file for file, _ in section.pictures], "remarks": section.remarks, "tables": section.tables, "failure": section.failure,
         "core_seconds": section.core_seconds,
     }
 

@@ -58,6 +58,7 @@ class Section:
         self.rows = []
         self.pictures = []  # (file name, caption)
         self.remarks = []
+        self.tables = []  # (caption, headings, lines of text cells)
         self.failure = ""
         self.core_seconds = 0.0
         self._service, self._folder = service, folder
@@ -77,6 +78,10 @@ class Section:
     def remark(self, text):
         """A paragraph of Markdown."""
         self.remarks.append(" ".join(text.split()))
+
+    def table(self, caption, headings, lines):
+        """A table of text beside the rows."""
+        self.tables.append((caption, headings, lines))
 
     def picture(self, name, figure, caption):
         """Keeps a matplotlib figure and closes it."""

@@ -37,10 +37,11 @@ class Result:
         """Of a snapshot (the last by default): current positions, shape (particles, 3), and the fields named."""
         with h5py.File(self.file) as file:
             root = file["VTKHDF"]
-            count = int(root["NumberOfPoints"][index])
-            start = int(root["Steps/PointOffsets"][index])
-            here = slice(start, start + count)
-            return [root["Points"][here]] + [root["PointData"][field][here] for field in fields]
+            steps = root["Steps"]
+            count = int(root["NumberOfPoints"][steps["PartOffsets"][index]])
+            starts = [steps["PointOffsets"], *(steps["PointDataOffsets"][field] for field in fields)]
+            data = [root["Points"], *(root["PointData"][field] for field in fields)]
+            return [values[start[index] : start[index] + count] for start, values in zip(starts, data)]
 
 
 def descendants(process):

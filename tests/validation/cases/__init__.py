@@ -7,12 +7,14 @@ CASES = {
     2: "axial_vibration",
     3: "static_cantilever",
     4: "static_simple_beam",
+    5: "forced_vibration",
     6: "free_vibration",
     7: "nonlinear_free_vibration",
     8: "vertical_bar",
     9: "large_deflection",
     10: "column",
     11: "bamboo",
+    12: "discretisation",
 }
 
 

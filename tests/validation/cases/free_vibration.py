@@ -20,6 +20,9 @@ FIGURES = {"cantilever": 13, "simply_supported": 14, "fixed_fixed": 15, "fixed_h
 TABLES = {"cantilever": 6, "simply_supported": 7, "fixed_fixed": 8, "fixed_hinged": 9}
 MODES = (1, 2, 3)
 GOAL = 1e-3
+PLANE = "plane elasticity, finite elements: tests/references/beam_frequencies.py"
+LENGTHS = (8, 16, 32, 64)
+SLENDER_LEVEL = (24, 8, 5)
 # Clamped corners, where the stress is singular, want finer cells.
 CELLS = {"cantilever": 1 / 12, "simply_supported": 1 / 16, "fixed_fixed": 1 / 16, "fixed_hinged": 1 / 16}
 AMPLITUDE = 1e-4  # of the deflection: the motion is linear
@@ -114,10 +117,75 @@ def run(section):
         35 % above what a plane body has; the true reference is the plane body's, by finite elements. Clamped is an
         edge whose displacements are held, hinged one that is held across the beam over its whole height.""")
     levels = beam_frequencies.COARSE if section.quick else beam_frequencies.FINE
-    for beam in ("fixed_fixed",) if section.quick else PRINTED:
+    errors = []
+    for beam in ("fixed_fixed", "mean_mean") if section.quick else beam_frequencies.BEAMS:
         reference, error = beam_frequencies.beam_reference(beam, levels=levels)
-        section.remark(f"{beam}: the reference's own error is at most {error:.1g}.")
-        time_history(section, beam, reference)
+        errors.append(f"{beam} {error:.1g}")
+        modal_analysis(section, beam, reference)
+        if beam in PRINTED:
+            time_history(section, beam, reference)
+    section.remark(f"Largest differences to the references at the next coarser discretisation: {', '.join(errors)}.")
+    if not section.quick:
+        slenderness(section)
+
+
+def modal_analysis(section, beam, reference):
+    """Frequencies and shapes without a history; hinges of other kinds are compared with the dissertation's tables too."""
+    table = {"mean_mean": "simply_supported", "patch_patch": "simply_supported", "fixed_mean": "fixed_hinged"}.get(beam, beam)
+    theory, printed = PRINTED[table]
+    for name, cell, numerics, settings, goal in (
+        ("coarse", 1 / 2, {}, "linear functions, 16 × 2 cells, 32 × 4 points", None),
+        ("coarse_quadratic", 1 / 2, {"particles": 4, "shapes": "quadratic_bspline"},
+         "quadratic B-splines, 16 × 2 cells, 64 × 8 points", None),
+        # The stress is singular at the ends of a patch.
+        ("fine", 1 / (64 if "patch" in beam else 32), {}, f"linear functions, cells of 1/{64 if 'patch' in beam else 32}", GOAL),
+    ):
+        result = find_modes(section, f"{beam}_modal_{name}", beam, beams.LENGTH, cell, **numerics)
+        frequencies, x, shapes = beams.modes(result)
+        for mode in MODES:
+            section.row(
+                f"table {TABLES[table]}, {beam}, f{mode}", reference.frequencies[mode - 1], PLANE, frequencies[mode - 1],
+                f"modal analysis, {settings}", result.core_seconds, printed[mode - 1], theory[mode - 1], goal,
+            )
+            if goal:
+                section.row(
+                    f"{beam}, mode {mode}: modal assurance", 1.0, "the reference's own shape",
+                    assurance(shapes[mode - 1], exact_shapes(reference)(x)[mode - 1]), "modal analysis",
+                    result.core_seconds, goal=GOAL,
+                )
+
+
+def find_modes(section, name, beam, length, cell, count=8, **numerics):
+    analysis, samples = beams.modal(count)
+    return section.run(
+        name, "beam", **beams.values(
+            beam_frequencies.BEAMS[beam], cell, length=length, analysis=analysis,
+            outputs=f"{samples} snapshots: 1\n{beams.stations(cell, length)}", **numerics,
+        ),
+    )
+
+
+def slenderness(section):
+    """First frequencies approach Euler and Bernoulli's as beams get longer."""
+    figure, axes = plots.axes()
+    for beam, colour in zip(PRINTED, plots.COLOURS):
+        ratios, exact = [], []
+        for length in LENGTHS:
+            theory = beam_frequencies.euler_bernoulli(beam, length)[0]
+            true = beam_frequencies.finite_elements(beam, length, SLENDER_LEVEL).frequencies[0]
+            result = find_modes(section, f"{beam}_{length}", beam, length, 1 / 16, count=4)
+            found = beams.modes(result)[0][0]
+            section.row(
+                f"{beam}, L/h {length}: f1 over Euler and Bernoulli's", true / theory, PLANE, found / theory,
+                "modal analysis, linear functions, cells of 1/16", result.core_seconds, goal=GOAL,
+            )
+            ratios.append(found / theory)
+            exact.append(true / theory)
+        axes.plot(LENGTHS, exact, **plots.REFERENCE)
+        axes.plot(LENGTHS, ratios, "o", color=colour, label=beam.replace("_", " "))
+    axes.set(xlabel="L / h", ylabel="f1 over Euler and Bernoulli's", xscale="log", xticks=LENGTHS, xticklabels=LENGTHS)
+    axes.legend()
+    section.picture("slenderness", figure, "First frequencies approach beam theory as L/h grows; lines: plane elasticity")
 
 
 def time_history(section, beam, reference):
@@ -135,7 +203,7 @@ def time_history(section, beam, reference):
         for mode in MODES:
             section.row(
                 f"table {TABLES[beam]}, {beam}, f{mode}", reference.frequencies[mode - 1],
-                "plane elasticity, finite elements: tests/references/beam_frequencies.py", result.measures[f"f{mode}"],
+                PLANE, result.measures[f"f{mode}"],
                 settings, result.core_seconds, printed[mode - 1], theory[mode - 1], goal,
             )
     show_shapes(section, beam, reference, result)

@@ -26,13 +26,6 @@ SETTLED = {
 }
 
 
-def end_deflection(x, across):
-    """At the free end, which bends nowhere: straight on from the last two stations with particles of their own."""
-    before = np.flatnonzero(x < x[-1])[-1]
-    slope = (across[..., -1] - across[..., before]) / (x[-1] - x[before])
-    return across[..., -1] + slope * (beams.LENGTH - x[-1])
-
-
 def bend(section, name, clamp, cell, analysis, load=SMALL, time="ramp { duration: 1 }", samples=1, **numerics):
     """The result, and times, stations and deflections under the load 1."""
     result = section.run(
@@ -83,7 +76,7 @@ def linear(section, clamp, words, true):
         result, _, x, across = bend(section, f"{clamp}_{name}", clamp, cell, SETTLED[kind], **numerics)
         lines[name] = x, across[-1]
         section.row(
-            f"end deflection, {words}", true, PLANE, end_deflection(x, across)[-1], f"{kind}, {settings}",
+            f"end deflection, {words}", true, PLANE, beams.free_end(x, across)[-1], f"{kind}, {settings}",
             result.core_seconds, PRINTED[points], PRINTED_REFERENCE, goal,
         )
     return lines
@@ -97,7 +90,7 @@ def full_load(section):
     section.row(
         "end deflection, whole edge held, full load", true,
         "plane elasticity at finite displacements, finite elements: tests/references/cantilever.py",
-        end_deflection(x, across)[-1], "quasi-static, linear functions, cells of 1/32", result.core_seconds, PRINTED[32],
+        beams.free_end(x, across)[-1], "quasi-static, linear functions, cells of 1/32", result.core_seconds, PRINTED[32],
         PRINTED_REFERENCE, GOAL,
     )
 
@@ -123,7 +116,7 @@ def dissertation_ramp(section):
     result, time, x, across = bend(
         section, "ramp", "clamped", 1 / 12, "end_time: 22.2", time=f"ramp {{ duration: {RAMP} }}", samples=300,
     )
-    found, true = end_deflection(x, across), ramped(body, time)
+    found, true = beams.free_end(x, across), ramped(body, time)
     at_end = np.argmin(np.abs(time - RAMP))
     settings = "time history, TLMPM, linear functions, cells of 1/12"
     source = "plane elasticity, modal superposition: tests/references/beam_elements.py"
