@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "solver/model/model.h"
+
+namespace trajan::bench {
+
+/// What a benchmark runs: one word of each kind that a scene chooses.
+struct Choice {
+  std::string name;
+  std::string scheme = "MUSL";
+  std::string shape_functions = "linear";
+  std::string transfer = "FLIP";
+  std::string law = "linear_elastic";
+  bool damage = false;
+  bool contact = false;
+  Dimension dimension = Dimension::plane_strain;
+};
+
+/// The colliding discs of Sulsky, Chen and Schreyer (1994), with room to fly apart however many steps are asked
+/// for, of about so many particles; two to a cell's side.
+Model discs(const Choice& choice, double particles);
+
+/// A square, a cube or (axisymmetric) a cylinder of unit side that stands on its lowest face and vibrates a
+/// little.
+Model block(const Choice& choice, double particles);
+
+}  // namespace trajan::bench
