@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/analyses/run.h"
+#include "solver/implicit/stencil_kernels.h"
 #include "solver/schemes/time_step.h"
 #include "solver/simulation/particles.h"
 #include "solver/transfers/transfer.h"
@@ -20,6 +22,37 @@ void plan_explicit_steps(const Model& model, ModelPlan& plan) {
   plan.steps = static_cast<std::int64_t>(in_interval) * model.outputs.samples;
 }
 
+/// Waves of all bodies are as slow as the slowest ones. How many steps a load level takes, nobody knows
+/// beforehand, but a wave runs through the bodies at least once.
+void plan_relaxation(const Model& model, ModelPlan& plan) {
+  double longest = 0, slowest = std::numeric_limits<double>::infinity();
+  std::string material_name;
+  for (const Body& body : model.bodies) {
+    const Lattice& lattice = body.lattice;
+    longest = std::max({longest, static_cast<double>(lattice.columns) * lattice.spacing.x,
+                        static_cast<double>(lattice.rows) * lattice.spacing.y,
+                        static_cast<double>(lattice.planes) * lattice.spacing.z});
+    const Material& material = model.materials[body.material];
+    const double speed = material.kind->wave_speed(material.parameters, material.density, model.dimension);
+    if (speed >= slowest) continue;
+    slowest = speed;
+    material_name = material.name;
+  }
+  plan.time_step =
+      model.numerics.time_step.value_or(model.numerics.time_step_fraction * stable_time_step(model, slowest, 0));
+  const double crossing = std::clamp(std::ceil(longest / (slowest * plan.time_step)), 1.0, 1e9);
+  plan.steps = static_cast<std::int64_t>(crossing) * model.outputs.samples;
+  plan.time_step_limit = "wave speed of material " + material_name +
+                         "; steps: at least, a wave through the bodies for each load level";
+}
+
+/// A mode for each sample.
+void plan_modes(const Model& model, ModelPlan& plan) {
+  plan.steps = model.outputs.samples;
+  plan.time_step = model.end_time / static_cast<double>(plan.steps);
+  plan.time_step_limit = "modes: one for each sample";
+}
+
 /// Steps of the length that is asked for; each takes several iterations.
 void plan_implicit_steps(const Model& model, std::int64_t asked, ModelPlan& plan) {
   const auto samples = static_cast<std::int64_t>(model.outputs.samples);
@@ -27,6 +60,30 @@ void plan_implicit_steps(const Model& model, std::int64_t asked, ModelPlan& plan
   plan.steps = in_interval * samples;
   plan.time_step = model.end_time / static_cast<double>(plan.steps);
   plan.time_step_limit = "analysis";
+}
+
+bool solves_for_displacements(const Model& model) {
+  return !std::holds_alternative<ExplicitDynamics>(model.analysis) &&
+         !std::holds_alternative<Relaxation>(model.analysis);
+}
+
+/// Of particles' stencils and tangents and of sparse matrices, but not of their factors, of which only the solver
+/// knows how full they are.
+std::int64_t memory_of_matrices(const Model& model, const Body& body, double active_cells) {
+  constexpr double matrices = 6, bytes_per_entry = sizeof(double) + sizeof(int);
+  const int axes = grid_axes(model.dimension), degree = polynomial_degree(model.numerics.shape_functions);
+  const bool wide = kernels().transfer(model.numerics.shape_functions, model.dimension)->layout.wide;
+  const double reach = degree == 3 ? 4 : wide ? 3 : 2;
+  const double lengths[] = {static_cast<double>(body.lattice.columns) * body.lattice.spacing.x,
+                            static_cast<double>(body.lattice.rows) * body.lattice.spacing.y,
+                            static_cast<double>(body.lattice.planes) * body.lattice.spacing.z};
+  double nodes = active_cells;
+  for (int axis = 0; axis < axes; ++axis) nodes *= 1 + (reach - 1) * model.grid.cell / lengths[axis];
+  const double components = axes * axes, row = axes * std::pow(2 * reach - 1, axes);
+  const double of_node = 3 * sizeof(std::uint32_t) + sizeof(double) * (1.0 + axes);
+  const double of_particle = std::pow(reach, axes) * of_node + sizeof(double) * components * (components + 2);
+  return static_cast<std::int64_t>(nodes * axes * row * matrices * bytes_per_entry +
+                                   static_cast<double>(body.particles) * of_particle);
 }
 
 }  // namespace
@@ -39,7 +96,9 @@ ModelPlan plan(const Model& model) {
   else if (const auto* dynamics = std::get_if<ImplicitDynamics>(&model.analysis))
     plan_implicit_steps(model, dynamics->time_steps, plan);
   else if (std::holds_alternative<Modal>(model.analysis) || std::holds_alternative<Buckling>(model.analysis))
-    plan_implicit_steps(model, model.outputs.samples, plan);
+    plan_modes(model, plan);
+  else if (std::holds_alternative<Relaxation>(model.analysis))
+    plan_relaxation(model, plan);
   else
     plan_explicit_steps(model, plan);
 
@@ -48,7 +107,9 @@ ModelPlan plan(const Model& model) {
     const double spacing[] = {body.lattice.spacing.x, body.lattice.spacing.y, body.lattice.spacing.z};
     double per_cell = 1;
     for (int axis = 0; axis < grid_axes(model.dimension); ++axis) per_cell *= model.grid.cell / spacing[axis];
-    plan.active_cells += static_cast<std::int64_t>(std::ceil(static_cast<double>(body.particles) / per_cell));
+    const double active_cells = std::ceil(static_cast<double>(body.particles) / per_cell);
+    plan.active_cells += static_cast<std::int64_t>(active_cells);
+    if (solves_for_displacements(model)) plan.memory_bytes += memory_of_matrices(model, body, active_cells);
     std::int64_t bytes = sizeof(std::uint32_t);
     for (const AttributeNeed& need : attributes_needed(model, b)) {
       const std::string name(attribute_name(need.attribute));

@@ -48,7 +48,7 @@ struct ModelPlan {
   double time_step = 0;
   std::int64_t steps = 0;
   std::string time_step_limit;
-  std::int64_t memory_bytes = 0;
+  std::int64_t memory_bytes = 0;  ///< without factors of matrices
   struct Attribute {
     std::string name;
     int bytes_per_particle = 0;

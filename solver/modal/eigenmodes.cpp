@@ -15,9 +15,11 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
 
-/// The shift and what counts as zero, as a share of the highest values: above what rounding leaves of rigid
-/// motions and below the lowest mode of a body of a thousand cells' length.
+/// The shift, as a share of the highest values.
 constexpr double shift_share = 1e-11;
+/// What counts as zero, likewise: rounding leaves some 1e-14 of rigid motions, and the lowest bending mode of a
+/// beam has 5e-12 with a length of 300 heights, each of four cells.
+constexpr double zero_share = 5e-13;
 constexpr double tolerance = 1e-11;
 constexpr int most_restarts = 300;
 
@@ -108,13 +110,13 @@ std::vector<Eigenmode> nearest_zero(const SparseMatrix& stiffness, const SparseM
   return modes;
 }
 
-void finish(std::vector<Eigenmode>& modes, const SparseMatrix& stiffness, const SparseMatrix& mass, double zero) {
+void finish(std::vector<Eigenmode>& modes, const SparseMatrix& stiffness, const SparseMatrix& mass, double scale) {
   for (Eigenmode& mode : modes) {
     const VectorXd inertia = mass * mode.shape;
     mode.shape /= std::sqrt(mode.shape.dot(inertia));
-    mode.rigid = std::abs(mode.value) < zero;
+    mode.rigid = std::abs(mode.value) < zero_share * scale;
     const VectorXd rest = stiffness * mode.shape - mode.value * (mass * mode.shape);
-    mode.residual = rest.norm() / ((std::abs(mode.value) + zero) * (mass * mode.shape).norm());
+    mode.residual = rest.norm() / ((mode.rigid ? scale : std::abs(mode.value)) * (mass * mode.shape).norm());
   }
   std::ranges::sort(modes, {}, &Eigenmode::value);
 }
@@ -126,15 +128,15 @@ std::vector<Eigenmode> lowest_modes(const SparseMatrix& stiffness, const SparseM
   const Index rows = stiffness.rows();
   Index wanted = std::min<Index>(count, rows - 1);
   if (wanted < 1) throw NoModes("nothing is free to move");
-  const double zero = shift_share * value_scale(stiffness, mass);
+  const double scale = value_scale(stiffness, mass), shift = shift_share * scale;
   std::vector<Eigenmode> modes;
   for (int attempt = 0; attempt < 3; ++attempt) {
-    modes = nearest_zero(stiffness, mass, wanted, -zero, interruption);
-    finish(modes, stiffness, mass, zero);
+    modes = nearest_zero(stiffness, mass, wanted, -shift, interruption);
+    finish(modes, stiffness, mass, scale);
     const double last = modes.back().value;
-    const Index below = values_below(stiffness, mass, last * (1 - 1e-6) - zero);
+    const Index below = values_below(stiffness, mass, last * (1 - 1e-6) - shift);
     const auto found =
-        std::ranges::count_if(modes, [&](const Eigenmode& m) { return m.value < last * (1 - 1e-6) - zero; });
+        std::ranges::count_if(modes, [&](const Eigenmode& m) { return m.value < last * (1 - 1e-6) - shift; });
     if (below <= found || wanted == rows - 1) break;
     wanted = std::min<Index>(wanted + below - found, rows - 1);
   }

@@ -14,8 +14,10 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 struct Eigenmode {
   double value = 0;
   Eigen::VectorXd shape;  ///< of mass 1: shape^T M shape; of buckling: of stiffness 1
-  double residual = 0;    ///< norm of K shape - value M shape, by that of value M shape or its like of buckling
-  bool rigid = false;     ///< its value is zero but for rounding
+  /// Norm of K shape - value M shape, by that of value M shape or its like of buckling; of rigid ones by that of
+  /// about the highest value times M shape.
+  double residual = 0;
+  bool rigid = false;  ///< its value is zero but for rounding
 };
 
 /// The problem has no such solutions, or they were not found.
