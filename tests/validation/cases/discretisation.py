@@ -1,14 +1,14 @@
-"""Section 7: cross-sections of vibrating beams, element size and number of points."""
+"""Section 7: strain measures, cross-sections of vibrating beams, element size and number of points."""
 
 import numpy as np
 
 import beam_frequencies
 from beam_elements import LEVELS, Beam
 from validation import beams, plots
-from validation.cases import free_vibration, static_cantilever
+from validation.cases import free_vibration, static_cantilever, strain_measures
 
-TITLE = "Cross-sections, element size and number of points"
-SOURCE = "sections 7.1, 7.4 and 7.5, figures 34 to 38"
+TITLE = "Strain measures, cross-sections, element size and number of points"
+SOURCE = "sections 7.1 and 7.3 to 7.5, table 14, figures 34 to 38"
 
 GOAL = 1e-3
 WAVE = "wave of Rayleigh and Lamb: tests/references/beam_frequencies.py"
@@ -34,6 +34,8 @@ def run(section):
     if not section.quick:
         peaks(section)
     number_of_points(section)
+    if not section.quick:
+        strain_measures.run(section)
 
 
 def near(places, x, cell):
@@ -72,7 +74,7 @@ def cross_section(section, length):
             f"L {length}: the same of {name}'s section", 0.0, WAVE,
             np.abs(-slope * heights * cosine - true).max() / np.abs(true).max(), "theory", 0.0, scale=1.0,
         )
-    figure, (shape, axes) = plots.axes(2, width=5, height=3.6)
+    figure, (shape, axes, departure) = plots.axes(3, width=4.4, height=3.6)
     _, x, across = beams.modes(result)
     line = np.linspace(0, length, 101)
     shape.plot(line, np.sin(wave.k * line), label="exact", **plots.REFERENCE)
@@ -82,8 +84,13 @@ def cross_section(section, length):
     axes.plot(-rotation * straight * cosine, straight + 0.5, color="tab:green", linestyle="--", label="Timoshenko")
     axes.plot(-wave.k * straight * cosine, straight + 0.5, color="tab:blue", linestyle=":", label="Bernoulli")
     axes.plot(found, heights + 0.5, "o", markersize=3, color=plots.COLOURS[0], label="Trajan")
-    axes.set(xlabel=f"axial displacement at x = L/4, L {length}", ylabel="y")
-    for one in (shape, axes):
+    axes.set(xlabel="axial displacement at x = L/4", ylabel="y")
+    fine = np.linspace(-0.5, 0.5, 101)
+    departure.plot((wave.axial(fine) + rotation * fine) * cosine, fine + 0.5, label="exact", **plots.REFERENCE)
+    departure.plot(found + rotation * heights * cosine, heights + 0.5, "o", markersize=3, color=plots.COLOURS[0], label="Trajan")
+    departure.plot((rotation - wave.k) * straight * cosine, straight + 0.5, color="tab:blue", linestyle=":", label="Bernoulli")
+    departure.set(xlabel="the same less Timoshenko's section", ylabel="y")
+    for one in (shape, axes, departure):
         one.legend(fontsize=8)
     section.picture(
         f"section_{length}", figure, f"Figures {mode_figure} and {section_figure}: first mode and cross-section, L {length}"
@@ -164,7 +171,7 @@ def peaks(section):
                 f"time history, {scheme}, {SHAPES[shapes]}, {particles} × {particles} points", result.core_seconds,
                 goal=GOAL if (scheme, shapes, k) == ("TLMPM", "linear", SIZES[-2]) else None,
             )
-        axes.plot(SIZES[:-1], np.array(found) / true, "o-", color=plots.COLOURS[colour], markersize=4,
+        axes.plot(SIZES[:-1], np.array(found) / true, "o-", color=plots.COLOURS[colour], markersize=8 if scheme == "MUSL" else 4,
                   label=f"{scheme}, {SHAPES[shapes]}")
     axes.axhline(1, label="exact", **plots.REFERENCE)
     axes.set(xlabel="k, cells of 2^-k", ylabel="largest deflection over v0 / omega", xticks=SIZES[:-1])
@@ -198,7 +205,7 @@ def number_of_points(section):
             axes.plot(counts[-len(errors):], 100 * np.array(errors), "o-", color=plots.COLOURS[colour], markersize=4,
                       label=SHAPES[shapes])
     for axes, name in zip(drawn, ("static deflection of the cantilever", "f1 of the simply supported beam")):
-        axes.set(xlabel="points along a side of a cell", ylabel=f"error of the {name}, %")
+        axes.set(xlabel="points along a side of a cell", ylabel="error, %", title=name)
         axes.axhline(0, **plots.REFERENCE)
         axes.legend(fontsize=8)
     section.remark("""The dissertation finds that the number of points does not matter for frequencies. It does: points are

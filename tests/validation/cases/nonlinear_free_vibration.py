@@ -35,7 +35,7 @@ PRINTED = {
 NAMES = {"simply_supported": "hinged", "fixed_fixed": "fixed-fixed", "fixed_hinged": "fixed-hinged"}
 FIGURES = {"simply_supported": 18, "fixed_fixed": 19, "fixed_hinged": 20}
 STORED = pathlib.Path(reference.__file__).with_name("nonlinear_vibration.json")
-SETTINGS = {"particles": 2, "shapes": "linear", "transfer": "FLIP"}
+SETTINGS = {"particles": 2, "shapes": "linear", "transfer": "FLIP", "law": "st_venant_kirchhoff"}
 # The shorter beams are more sensitive to their ends.
 CELLS = {4.0: 1 / 16, 8.0: 1 / 8}
 SAMPLES_PER_PERIOD = 256
@@ -79,7 +79,7 @@ class Beam:
         slope, shape = initial_velocity(self.kind)
         periods = reference.PERIODS + 0.5
         result = self.section.run(
-            f"{self.kind}_{length:g}_{label}_{cell:g}_{self.settings['shapes']}", "nonlinear_vibration",
+            f"{self.kind}_{length:g}_{label}_{cell:g}_{self.settings['law']}", "nonlinear_vibration",
             beta=repr(root / length), sigma=repr(sigma), velocity=repr(speed / middle), length=length,
             domain=length + 1, slope=slope, shape=shape, supports=supports(self.kind),
             # The two columns of particles beside mid-length.
