@@ -124,6 +124,15 @@ class Beam:
         order = [mode for mode in np.argsort(values) if bends[mode]][:count]
         return np.sqrt(values[order]), shapes[order]
 
+    def free_motion(self, velocity, times, count, above):
+        """Mean displacements over the cross-sections after a start from rest's place with a velocity (nodes, 2), by `count`
+        bending modes: (times, columns, 2)."""
+        angular, shapes = self.modes(count, above)
+        momentum = self.mesh.mass(DENSITY) @ velocity.ravel()
+        amplitudes = shapes.reshape(len(shapes), -1) @ momentum / angular
+        means = np.array([self.section_means(shape) for shape in shapes])
+        return np.einsum("tm,mxi->txi", np.sin(np.outer(times, angular)) * amplitudes, means)
+
     def section_means(self, displacement):
         """The mean displacement over the cross-sections at mesh.axis_x, (columns, 2)."""
         field = displacement.reshape(self.mesh.rows, self.mesh.columns, 2)

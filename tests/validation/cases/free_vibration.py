@@ -4,6 +4,7 @@ import numpy as np
 import scipy.interpolate
 
 import beam_frequencies
+from beam_elements import LEVELS, Beam
 from validation import beams, plots
 
 TITLE = "Free vibration of beams"
@@ -48,11 +49,11 @@ def ratio(beam, k):
     return (np.cos(k) - np.cosh(k)) / (np.sin(k) - np.sinh(k))
 
 
-def start(beam, length=beams.LENGTH):
-    """The dissertation's start, a velocity across the beam, in its first three modes at once."""
+def start(beam, modes=3, length=beams.LENGTH):
+    """The dissertation's start, a velocity across the beam, in its first modes at once."""
     terms = []
     frequencies = beam_frequencies.euler_bernoulli(beam, length)
-    for k, frequency in zip(beam_frequencies.wave_numbers(beam) / length, frequencies):
+    for k, frequency in zip(beam_frequencies.wave_numbers(beam)[:modes] / length, frequencies):
         shape = f"sin({k!r}*x)"
         if beam_frequencies.theory_ends(beam) != ("hinged", "hinged"):
             shape = f"(cos({k!r}*x)-cosh({k!r}*x)-({ratio(beam, k * length)!r})*({shape}-sinh({k!r}*x)))"
@@ -126,6 +127,7 @@ def run(section):
             time_history(section, beam, reference)
     section.remark(f"Largest differences to the references at the next coarser discretisation: {', '.join(errors)}.")
     if not section.quick:
+        at_times(section)
         slenderness(section)
 
 
@@ -184,6 +186,7 @@ def slenderness(section):
         axes.plot(LENGTHS, exact, **plots.REFERENCE)
         axes.plot(LENGTHS, ratios, "o", color=colour, label=beam.replace("_", " "))
     axes.set(xlabel="L / h", ylabel="f1 over Euler and Bernoulli's", xscale="log", xticks=LENGTHS, xticklabels=LENGTHS)
+    axes.minorticks_off()
     axes.legend()
     section.picture("slenderness", figure, "First frequencies approach beam theory as L/h grows; lines: plane elasticity")
 
@@ -207,6 +210,40 @@ def time_history(section, beam, reference):
                 settings, result.core_seconds, printed[mode - 1], theory[mode - 1], goal,
             )
     show_shapes(section, beam, reference, result)
+
+
+def at_times(section, beam="fixed_fixed"):
+    """Figure 16: the beam at several times of half a period, from the start in its first mode of beam theory."""
+    body = Beam(beam_frequencies.BEAMS[beam], level=LEVELS[2])
+    k = beam_frequencies.wave_numbers(beam)[0] / beams.LENGTH
+    frequency = beam_frequencies.euler_bernoulli(beam)[0]
+    x = body.mesh.points[:, 0]
+    across = np.cos(k * x) - np.cosh(k * x) - ratio(beam, k * beams.LENGTH) * (np.sin(k * x) - np.sinh(k * x))
+    velocity = np.column_stack([0 * x, AMPLITUDE * 2 * np.pi * frequency * across])
+    cell, samples = CELLS[beam], 40
+    result = section.run(
+        f"{beam}_times", "beam", **beams.values(
+            beam_frequencies.BEAMS[beam], cell, motion=start(beam, 1), analysis=f"end_time: {1 / frequency!r}",
+            outputs=f"samples: {samples} snapshots: 1\n{beams.stations(cell)}",
+        ),
+    )
+    time, places, found = beams.deflections(result)
+    exact = body.free_motion(velocity, time, 10, np.pi * frequency)[..., 1]
+    exact = scipy.interpolate.CubicSpline(body.mesh.axis_x, exact, axis=1)
+    section.row(
+        "figure 16, fixed_fixed: largest distance from the exact motion in a period, of the peak", 0.0,
+        "plane elasticity, modal superposition: tests/references/beam_elements.py",
+        np.abs(found - exact(places)).max() / np.abs(found).max(), "time history, TLMPM, linear functions, cells of 1/16",
+        result.core_seconds, goal=0.01, scale=1.0,
+    )
+    figure, axes = plots.axes()
+    line = np.linspace(0, beams.LENGTH, 201)
+    for row, colour in zip((2, 5, 10, 25, 30), plots.COLOURS):
+        axes.plot(line, exact(line)[row], **plots.REFERENCE)
+        axes.plot(places, found[row], "o", markersize=3, color=colour, label=f"t {time[row]:.2f}")
+    axes.set(xlabel="x", ylabel="deflection")
+    axes.legend(fontsize=8)
+    section.picture("times", figure, "Figure 16: first mode of the fixed-fixed beam at several times")
 
 
 def show_shapes(section, beam, reference, result):
