@@ -1,5 +1,7 @@
 #include "solver/implicit/sparse_solver.h"
 
+#include <dlfcn.h>
+
 #include <Eigen/CholmodSupport>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/UmfPackSupport>
@@ -47,6 +49,13 @@ bool is_symmetric(const SparseMatrix& matrix) {
     largest = std::max(largest, std::abs(matrix.valuePtr()[e]));
   }
   return difference <= asymmetry * largest;
+}
+
+/// OpenBLAS, if that is the system's BLAS, takes as many threads as there are cores and adds up differently with
+/// each number of them. Others have one thread, as long as nobody asks for more.
+void keep_blas_on_one_thread() {
+  using SetThreads = void (*)(int);
+  if (const auto set = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(1);
 }
 
 }  // namespace
@@ -106,7 +115,9 @@ SparseSolver::Factors SparseSolver::Methods::by_gradients() {
   return {true, true, 1};
 }
 
-SparseSolver::SparseSolver(LinearSolver choice) : choice_(choice), methods_(std::make_unique<Methods>()) {}
+SparseSolver::SparseSolver(LinearSolver choice) : choice_(choice), methods_(std::make_unique<Methods>()) {
+  keep_blas_on_one_thread();
+}
 SparseSolver::~SparseSolver() = default;
 
 SparseSolver::Factors SparseSolver::factorize(const SparseMatrix& matrix) {
