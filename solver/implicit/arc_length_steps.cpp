@@ -1,5 +1,7 @@
 #include "solver/implicit/arc_length_steps.h"
 
+#include "solver/simulation/checkpoint_array.h"
+
 namespace trajan {
 namespace {
 
@@ -14,16 +16,12 @@ ArcLengthSteps::ArcLengthSteps(const Model& model, const QuasiStatic& analysis, 
       end_time_(model.end_time),
       first_load_(model.end_time / analysis.load_steps) {
   if (!resume) return;
-  for (const Checkpoint::Array& array : resume->arrays) {
-    if (array.name != state_name && array.name != direction_name) continue;
-    const auto& values = std::get<std::vector<double>>(array.values);
-    if (array.name == state_name) {
-      path_.load_time = values[0];
-      path_.length_per_time = values[1];
-    } else {
-      path_.direction = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-    }
-  }
+  const auto& state = checkpoint_array<double>(*resume, state_name);
+  path_.load_time = state[0];
+  path_.length_per_time = state[1];
+  const auto& direction = checkpoint_array<double>(*resume, direction_name);
+  path_.direction =
+      Eigen::Map<const Eigen::VectorXd>(direction.data(), static_cast<Eigen::Index>(direction.size()));
 }
 
 void ArcLengthSteps::save(Checkpoint& checkpoint) const {
@@ -33,9 +31,7 @@ void ArcLengthSteps::save(Checkpoint& checkpoint) const {
       {direction_name, std::vector<double>(path_.direction.begin(), path_.direction.end())});
 }
 
-void ArcLengthSteps::record(std::vector<double>& columns) const {
-  columns.push_back(path_.load_time / end_time_);
-}
+void ArcLengthSteps::record(std::vector<double>& columns) const { columns.push_back(path_.load_time / end_time_); }
 
 std::unique_ptr<StepBalance> ArcLengthSteps::make_balance(double from, double to) {
   return balance_between(path_.load_time, path_.load_time, to - from);

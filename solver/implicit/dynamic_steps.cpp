@@ -1,5 +1,7 @@
 #include "solver/implicit/dynamic_steps.h"
 
+#include "solver/simulation/checkpoint_array.h"
+
 namespace trajan {
 namespace {
 
@@ -32,13 +34,13 @@ DynamicSteps::DynamicSteps(const Model& model, const ImplicitDynamics& analysis,
       lumped_(analysis.mass == MassMatrix::lumped),
       weights_(analysis) {
   if (!resume) return;
-  accelerations_.resize(model.bodies.size());
-  for (const Checkpoint::Array& array : resume->arrays) {
-    if (array.name == "node_velocity") velocity_ = to_eigen(std::get<std::vector<double>>(array.values));
-    if (array.name == "node_acceleration") acceleration_ = to_eigen(std::get<std::vector<double>>(array.values));
-    for (std::size_t b = 0; b < accelerations_.size(); ++b)
-      if (array.name == name_of(b)) accelerations_[b] = std::get<std::vector<double>>(array.values);
+  if (total_lagrangian()) {
+    velocity_ = to_eigen(checkpoint_array<double>(*resume, "node_velocity"));
+    acceleration_ = to_eigen(checkpoint_array<double>(*resume, "node_acceleration"));
+    return;
   }
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    accelerations_.push_back(checkpoint_array<double>(*resume, name_of(b)));
 }
 
 void DynamicSteps::save(Checkpoint& checkpoint) const {

@@ -6,6 +6,7 @@
 #include "solver/implicit/motion.h"
 #include "solver/implicit/rigid_modes.h"
 #include "solver/schemes/scheme.h"
+#include "solver/simulation/checkpoint_array.h"
 #include "solver/simulation/diverged.h"
 
 namespace trajan {
@@ -29,13 +30,10 @@ ImplicitSteps::ImplicitSteps(const Model& model, Executor& executor, const Newto
       length_(longest_) {
   if (!resume) return;
   time_ = resume->time;
-  for (const Checkpoint::Array& array : resume->arrays)
-    if (array.name == state_name) {
-      const auto& state = std::get<std::vector<double>>(array.values);
-      length_ = state[0];
-      steps_ = static_cast<std::int64_t>(state[1]);
-      iterations_ = static_cast<std::int64_t>(state[2]);
-    }
+  const auto& state = checkpoint_array<double>(*resume, state_name);
+  length_ = state[0];
+  steps_ = static_cast<std::int64_t>(state[1]);
+  iterations_ = static_cast<std::int64_t>(state[2]);
 }
 
 void ImplicitSteps::save(Checkpoint& checkpoint) const {

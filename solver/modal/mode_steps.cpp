@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/schemes/scheme.h"
+#include "solver/simulation/checkpoint_array.h"
 #include "solver/simulation/diverged.h"
 
 namespace trajan {
@@ -34,8 +35,7 @@ ModeSteps::ModeSteps(const Model& model, Solve solve, Executor& executor, const 
       count_(static_cast<int>(model.outputs.samples)) {
   if (!resume) return;
   shown_ = static_cast<int>(resume->sample);
-  for (const Checkpoint::Array& array : resume->arrays)
-    if (array.name == state_name) base_ = std::get<std::vector<double>>(array.values);
+  base_ = checkpoint_array<double>(*resume, state_name);
   for_each_coordinate([&](std::size_t at, double& coordinate) { coordinate = base_[at]; });
 }
 

@@ -2,6 +2,7 @@
 
 #include "solver/implicit/steppers.h"
 #include "solver/schemes/schemes.h"
+#include "solver/simulation/checkpoint_array.h"
 #include "solver/simulation/simulation.h"
 
 /// Particles are saved in their present order, with the tiles they are in: what is added up next is then
@@ -11,13 +12,6 @@ namespace {
 
 std::string array_name(std::size_t body, std::string_view what) {
   return "body" + std::to_string(body) + "." + std::string(what);
-}
-
-template <class T>
-const std::vector<T>& array(const Checkpoint& checkpoint, const std::string& name) {
-  for (const Checkpoint::Array& a : checkpoint.arrays)
-    if (a.name == name) return std::get<std::vector<T>>(a.values);
-  throw std::runtime_error("the checkpoint has no array " + name);
 }
 
 std::vector<std::int32_t> pack(const Tiles& tiles) {
@@ -39,14 +33,14 @@ std::vector<std::int64_t> pack(std::span<const BlockRange> blocks) {
 
 void unpack(const Checkpoint& checkpoint, const std::vector<BodyParticles>& bodies, Tiles& tiles) {
   std::vector<BlockRange> blocks;
-  const auto& b = array<std::int64_t>(checkpoint, "blocks");
+  const auto& b = checkpoint_array<std::int64_t>(checkpoint, "blocks");
   for (std::size_t i = 0; i + 3 <= b.size(); i += 3)
     blocks.push_back({static_cast<std::uint32_t>(b[i]), static_cast<std::uint16_t>(b[i + 1]),
                       static_cast<std::uint16_t>(b[i + 2])});
   std::vector<OccupiedTile> occupied;
   std::vector<std::uint32_t> blocks_of;
   std::size_t block = 0;
-  const auto& t = array<std::int32_t>(checkpoint, "tiles");
+  const auto& t = checkpoint_array<std::int32_t>(checkpoint, "tiles");
   for (std::size_t i = 0; i + 10 <= t.size(); i += 10) {
     const auto part = [&](std::size_t from) { return TileIndex{t[i + from], t[i + from + 1], t[i + from + 2]}; };
     occupied.push_back({part(0), bodies[blocks[block].body].field, {part(3), part(6)}});
@@ -119,17 +113,18 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
     BodyParticles& body = executor_.bodies()[b];
     for (int a = 0; a < attribute_count; ++a)
       if (!body.arrays[a].empty())
-        body.arrays[a] = array<double>(checkpoint, array_name(b, attribute_name(static_cast<Attribute>(a))));
-    const auto& numbers = array<std::int64_t>(checkpoint, array_name(b, "number"));
+        body.arrays[a] =
+            checkpoint_array<double>(checkpoint, array_name(b, attribute_name(static_cast<Attribute>(a))));
+    const auto& numbers = checkpoint_array<std::int64_t>(checkpoint, array_name(b, "number"));
     body.number.assign(numbers.begin(), numbers.end());
   }
   unpack(checkpoint, executor_.bodies(), executor_.tiles());
-  restore(array<double>(checkpoint, "surface_points"), executor_.riders());
+  restore(checkpoint_array<double>(checkpoint, "surface_points"), executor_.riders());
   executor_.bind();
   stepper_ = make_stepper(model, executor_, &checkpoint);
-  const auto& energies = array<double>(checkpoint, "energies");
+  const auto& energies = checkpoint_array<double>(checkpoint, "energies");
   executor_.account().restore(energies[0], energies[1]);
-  executor_.account().restore(unpack_reactions(array<double>(checkpoint, "reactions")));
+  executor_.account().restore(unpack_reactions(checkpoint_array<double>(checkpoint, "reactions")));
   initial_energy_ = energies[2];
   largest_energy_ = energies[3];
   largest_input_ = energies[4];
