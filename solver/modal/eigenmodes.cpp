@@ -4,16 +4,17 @@
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <Spectra/SymGEigsSolver.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <cmath>
+
+#include "solver/implicit/sparse_solver.h"
 
 namespace trajan {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
 
 /// The shift, as a share of the highest values.
 constexpr double shift_share = 1e-11;
@@ -30,11 +31,26 @@ double value_scale(const SparseMatrix& stiffness, const SparseMatrix& mass) {
   return ratio[ratio.size() / 2];
 }
 
-/// Values below `bound`, by the signs of the pivots.
+/// L D L^T without pivoting, of which D has the signs of the matrix's values.
+class SignedFactors : public Eigen::CholmodSimplicialLDLT<SparseMatrix, Eigen::Lower> {
+ public:
+  explicit SignedFactors(const SparseMatrix& matrix) {
+    cholmod().print = 0;
+    compute(matrix);
+  }
+  Index negative_pivots() const {
+    const auto* columns = static_cast<const int*>(m_cholmodFactor->p);
+    const auto* entries = static_cast<const double*>(m_cholmodFactor->x);
+    Index negative = 0;
+    for (std::size_t i = 0; i < m_cholmodFactor->n; ++i) negative += entries[columns[i]] < 0;
+    return negative;
+  }
+};
+
+/// Values below `bound`, by Sylvester's law of inertia.
 Index values_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double bound) {
-  const Factors factors(stiffness - bound * mass);
-  if (factors.info() != Eigen::Success) return 0;
-  return (factors.vectorD().array() < 0).count();
+  const SignedFactors factors(stiffness - bound * mass);
+  return factors.info() == Eigen::Success ? factors.negative_pivots() : 0;
 }
 
 /// (K - shift M)^-1 as Spectra asks for it.
@@ -46,18 +62,18 @@ class ShiftInvert {
   Index rows() const { return stiffness_.rows(); }
   Index cols() const { return stiffness_.cols(); }
   void set_shift(double shift) {
-    factors_.compute(stiffness_ - shift * mass_);
-    if (factors_.info() != Eigen::Success) throw NoModes("the stiffness cannot be factorized");
+    if (!solver_.factorize(stiffness_ - shift * mass_).regular)
+      throw NoModes("the stiffness cannot be factorized");
   }
   void perform_op(const double* x, double* y) const {
     if (interruption_) interruption_();
-    Eigen::Map<VectorXd>(y, rows()) = factors_.solve(Eigen::Map<const VectorXd>(x, rows()));
+    Eigen::Map<VectorXd>(y, rows()) = solver_.solve(Eigen::Map<const VectorXd>(x, rows()));
   }
 
  private:
   const SparseMatrix &stiffness_, &mass_;
   const Interruption& interruption_;
-  Factors factors_;
+  SparseSolver solver_{LinearSolver::direct};
 };
 
 /// K and its inverse as Spectra asks for them.
@@ -65,15 +81,16 @@ class Inner {
  public:
   using Scalar = double;
   Inner(const SparseMatrix& stiffness, const Interruption& interruption)
-      : stiffness_(stiffness), factors_(stiffness), interruption_(interruption) {
-    if (factors_.info() != Eigen::Success || (factors_.vectorD().array() <= 0).any())
+      : stiffness_(stiffness), interruption_(interruption) {
+    const SparseSolver::Factors factors = solver_.factorize(stiffness);
+    if (!factors.regular || !factors.positive_definite)
       throw NoModes("the state from which the load grows is not stable, or a body is not held");
   }
   Index rows() const { return stiffness_.rows(); }
   Index cols() const { return stiffness_.cols(); }
   void solve(const double* x, double* y) const {
     if (interruption_) interruption_();
-    Eigen::Map<VectorXd>(y, rows()) = factors_.solve(Eigen::Map<const VectorXd>(x, rows()));
+    Eigen::Map<VectorXd>(y, rows()) = solver_.solve(Eigen::Map<const VectorXd>(x, rows()));
   }
   void perform_op(const double* x, double* y) const {
     Eigen::Map<VectorXd>(y, rows()) = stiffness_ * Eigen::Map<const VectorXd>(x, rows());
@@ -81,8 +98,8 @@ class Inner {
 
  private:
   const SparseMatrix& stiffness_;
-  Factors factors_;
   const Interruption& interruption_;
+  SparseSolver solver_{LinearSolver::direct};
 };
 
 /// Vectors that Lanczos keeps to find so many of `rows` values.
