@@ -116,6 +116,14 @@ class SlidingBlock(unittest.TestCase):
         np.testing.assert_allclose(sliding_block.distance(times), distance, rtol=0, atol=1e-4)
 
 
+class BlocksOnIncline(unittest.TestCase):
+    def test_integrating_the_growing_gravity_finds_what_the_scene_states(self):
+        # At the end, t = 2; of the rule on 20000 intervals and its formula as printed.
+        acceleration = constant("blocks_on_incline", "acceleration")
+        stated = acceleration * (1 / 4 - 1 / np.pi**2 + 1 / 2 + 1 / 2)
+        self.assertAlmostEqual(sliding_block.ramped_distance(2.0), stated, delta=1e-7)
+
+
 class SphereCollision(unittest.TestCase):
     def test_integrating_hertz_s_contact_finds_the_same(self):
         # Relative tolerance of the integrator 1e-11 for each of about 100 steps.

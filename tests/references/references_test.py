@@ -15,6 +15,7 @@ import cantilever
 import column_buckling
 import compliant_bar
 import compliant_cube
+import disc_impact
 import elastica
 import large_deflection
 import nonlinear_vibration
@@ -113,6 +114,29 @@ class ColumnBuckling(unittest.TestCase):
         # Laws differ by about six times the strain.
         for law in ("saint_venant_kirchhoff", "hencky"):
             self.assertLess(abs(self.computed[f"path_{law}"] / self.computed["linearised"] - 1), 0.006)
+
+
+class DiscImpact(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.smooth, cls.rough = disc_impact.collide(16, 0.0), disc_impact.collide(16, disc_impact.FRICTION)
+
+    def test_the_scene_states_what_finite_elements_find(self):
+        # Four thirds of the difference to twice as many elements: they are of second order.
+        for kind, found in (("smooth", self.smooth), ("rough", self.rough)):
+            for axis in "xy":
+                with self.subTest(kind=kind, axis=axis):
+                    self.assertAlmostEqual(constant("oblique_discs", f"{kind}_{axis}"), found[axis], delta=0.002)
+        self.assertAlmostEqual(constant("oblique_discs", "spin"), self.rough["spin"], delta=0.0052)
+        self.assertAlmostEqual(self.smooth["spin"], 0, delta=0.0052)
+
+    def test_friction_gives_the_spin_that_its_lever_does(self):
+        # Spin m R^2 / 2 = mu J R, and the change of momentum is J sqrt(1 + mu^2). The lever is shorter by the
+        # indentation, which is up to 4 % of the radius.
+        change = np.hypot(self.rough["x"] - disc_impact.TANGENTIAL, self.rough["y"] + disc_impact.NORMAL)
+        impulse = change / np.hypot(1, disc_impact.FRICTION)
+        rigid = disc_impact.rigid(impulse / disc_impact.NORMAL - 1, disc_impact.FRICTION)
+        self.assertAlmostEqual(-self.rough["spin"] / rigid["spin"], 1, delta=0.04)
 
 
 class CompliantBar(unittest.TestCase):
