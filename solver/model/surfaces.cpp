@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/model/polygon.h"
 #include "solver/model/selection.h"
 
 namespace trajan {
@@ -102,6 +103,40 @@ std::vector<SurfacePoint> edge_points(const Model& model, const Body& body, Edge
       point.tangents = {to_vector(tangents[0]), to_vector(tangents[1])};
       points.push_back(point);
     }
+  return points;
+}
+
+std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& body, Edge edge) {
+  const Polygon& polygon = std::get<Polygon>(body.lattice.geometry);
+  const Box bounds = bounds_of(polygon);
+  const auto normal = static_cast<std::size_t>(normal_axis(edge)), along = 1 - normal;
+  const double level = to_components(is_upper(edge) ? bounds.upper : bounds.lower)[normal];
+  const double spacing = to_components(body.lattice.spacing)[along];
+  std::vector<SurfacePoint> points;
+  for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+    const Components a = to_components(polygon.corners[k]);
+    const Components b = to_components(polygon.corners[(k + 1) % polygon.corners.size()]);
+    if (a[normal] != level || b[normal] != level) continue;
+    const double from = std::min(a[along], b[along]), size = std::abs(b[along] - a[along]);
+    const double parts = std::max(1.0, std::round(size / spacing)), length = size / parts / 2;
+    for (std::int64_t i = 0; i < 2 * static_cast<std::int64_t>(parts); ++i) {
+      const double offset = (i % 2 == 0 ? -1 : 1) / std::sqrt(3.0);
+      Components at{};
+      at[normal] = level;
+      at[along] = from + (static_cast<double>(i / 2 * 2 + 1) + offset) * length;
+      // Their product is the outer normal, as it is on a box.
+      const double sense = is_upper(edge) ? 1 : -1;
+      std::array<Components, 2> tangents{};
+      tangents[0][normal == 0 ? 1 : 2] = sense * (normal == 0 ? length : 1);
+      tangents[1][normal == 0 ? 2 : 0] = normal == 0 ? 1 : length;
+      SurfacePoint point;
+      point.position = to_vector(at);
+      point.carrier = nearest_particle(body, point.position).particle;
+      point.area = length * depth(model, point.position);
+      point.tangents = {to_vector(tangents[0]), to_vector(tangents[1])};
+      points.push_back(point);
+    }
+  }
   return points;
 }
 

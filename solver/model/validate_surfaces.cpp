@@ -9,8 +9,8 @@
 namespace trajan {
 namespace {
 
-/// Searching the particles nearest to a rim takes time with the rows of the body.
-constexpr double most_rim_work = 1e8;
+/// Searching the particles nearest to points takes time with the rows of the body.
+constexpr double most_search_work = 1e8;
 
 /// Shares of the largest component of an acoustic tensor that are rounding.
 constexpr double rounding = 1e-12;
@@ -42,20 +42,28 @@ std::vector<SurfacePoint> Validator::check_edge(const std::string& path, const s
                                                 std::optional<std::size_t> body, Edge edge) {
   const bool face = check_face(path + ".edge", edge);
   if (!body) return {};
-  if (!std::holds_alternative<Box>(scene_.bodies[*body].geometry)) {
-    violations_.add(path + ".body", name, quoted(name) + " is not a box and has no straight edges",
-                    "choose a body whose geometry is a box");
+  const bool polygon = std::holds_alternative<Polygon>(scene_.bodies[*body].geometry);
+  if (!polygon && !std::holds_alternative<Box>(scene_.bodies[*body].geometry)) {
+    violations_.add(path + ".body", name, quoted(name) + " has no straight edges",
+                    "choose a body whose geometry is a box or a polygon");
     return {};
   }
   if (!face) return {};
-  const double count = count_edge_points(model_.bodies[*body], edge, axes());
+  const Body& carrier = model_.bodies[*body];
+  const double count = count_edge_points(carrier, edge, axes());
   load_points_ += count;
-  if (load_points_ > most_load_points) {
+  if (load_points_ > most_load_points ||
+      (polygon && count * static_cast<double>(carrier.lattice.rows) > most_search_work)) {
     violations_.add(path + ".edge", number_text(count) + " points",
                     "there are too many particles along edges with loads and conditions", "give larger cells");
     return {};
   }
-  return edge_points(model_, model_.bodies[*body], edge);
+  if (!polygon) return edge_points(model_, carrier, edge);
+  std::vector<SurfacePoint> points = polygon_edge_points(model_, carrier, edge);
+  if (points.empty())
+    violations_.add(path + ".edge", "", "no side of the polygon lies along this side of the box around it",
+                    "choose another edge");
+  return points;
 }
 
 std::vector<SurfacePoint> Validator::check_rim(const std::string& path, std::optional<std::size_t> body,
@@ -70,7 +78,7 @@ std::vector<SurfacePoint> Validator::check_rim(const std::string& path, std::opt
   const double count = count_rim_points(carrier, rim, axes());
   load_points_ += count;
   if (!(load_points_ <= most_load_points) ||
-      count * static_cast<double>(carrier.lattice.rows * carrier.lattice.planes) > most_rim_work) {
+      count * static_cast<double>(carrier.lattice.rows * carrier.lattice.planes) > most_search_work) {
     violations_.add(path, number_text(count) + " points", "there are too many particles along the rim",
                     "give larger cells");
     return {};

@@ -49,6 +49,44 @@ TEST(EdgeTraction, HasTheResultantAndMomentOfTheTraction) {
   EXPECT_NEAR(top.moment, (1.5 * -9 - 1 * 6) * thickness, rounding);
 }
 
+/// A panel with upright ends and slanted sides.
+Scene panel(LoadDefinition load) {
+  Scene scene = sample_scene();
+  scene.domain.cell_size = 0.3;
+  scene.domain.thickness = 0.5;
+  scene.bodies = {{"beam", "rubber", Polygon{{{0, 0}, {3, 0.5}, {3, 1.6}, {0, 1}}}, 2, {}}};
+  scene.boundaries.clear();
+  scene.loads = {std::move(load)};
+  return scene;
+}
+
+TEST(EdgeTraction, ActsOnTheSidesOfAPolygonThatLieAlongTheAxes) {
+  const Scene scene = panel({"load", EdgeTraction{"beam", Edge::right, {2, -3}, ""}, {}});
+  const Resultant right = resultant_of(validate(scene).surface_loads[0]);
+  EXPECT_NEAR(right.x, 2 * 1.1 * 0.5, rounding);
+  EXPECT_NEAR(right.y, -3 * 1.1 * 0.5, rounding);
+  EXPECT_NEAR(right.moment, (3 * -3 - 1.05 * 2) * 1.1 * 0.5, rounding);
+  for (const auto& [edge, sign] : {std::pair{Edge::right, -1}, std::pair{Edge::left, 1}}) {
+    Pressure pressure;
+    pressure.surface = {"beam", edge, {}};
+    pressure.pressure = 2;
+    const Resultant pushed = resultant_of(validate(panel({"load", pressure, {}})).surface_loads[0]);
+    EXPECT_NEAR(pushed.x, sign * 2 * (edge == Edge::right ? 1.1 : 1) * 0.5, rounding);
+    EXPECT_NEAR(pushed.y, 0, rounding);
+  }
+}
+
+TEST(EdgeTraction, IsRefusedWhereAPolygonHasNoSuchSide) {
+  try {
+    validate(panel({"load", EdgeTraction{"beam", Edge::top, {2, -3}, ""}, {}}));
+    FAIL();
+  } catch (const InvalidScene& error) {
+    ASSERT_EQ(error.violations().size(), 1u);
+    EXPECT_EQ(error.violations()[0].path, "loads[0].edge_traction.edge");
+    EXPECT_NE(error.violations()[0].problem.find("no side of the polygon"), std::string::npos);
+  }
+}
+
 TEST(EdgeTraction, IsExactForTheShearAndBendingStressesOfBeams) {
   const double thickness = 0.5;
   const Resultant shear = resultant_of(beam_under(Edge::right, {0, -1}, "6 * y * (1 - y)").surface_loads[0]);

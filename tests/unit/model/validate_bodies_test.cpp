@@ -210,7 +210,7 @@ const std::vector<Mistake> boundaries = {
      [](Scene& s) {
        s.boundaries[0] = {"pin", {}, hinge("ball", HingeKind::mean, {})};
      },
-     "boundaries[0].hinge.surface.body", "not a box"},
+     "boundaries[0].hinge.surface.body", "no straight edges"},
     {"HingeOnNothing",
      [](Scene& s) {
        s.boundaries[0] = {"pin", {}, hinge("beam", HingeKind::mean, Box{{1, 0}, {2, 1}})};
@@ -274,7 +274,7 @@ const std::vector<Mistake> boundaries = {
 const std::vector<Mistake> loads = {
     {"NoKind", [](Scene& s) { s.loads[0].kind = {}; }, "loads[0]", "no kind"},
     {"UnknownBody", [](Scene& s) { traction(s).body = "baem"; }, "loads[0].edge_traction.body", "no body"},
-    {"TractionOnADisc", [](Scene& s) { traction(s).body = "ball"; }, "loads[0].edge_traction.body", "not a box"},
+    {"TractionOnADisc", [](Scene& s) { traction(s).body = "ball"; }, "loads[0].edge_traction.body", "no straight edges"},
     {"NoEdge", [](Scene& s) { traction(s).edge = {}; }, "loads[0].edge_traction.edge", "not given"},
     {"InfiniteTraction", [](Scene& s) { traction(s).traction.x = infinity; }, "loads[0].edge_traction.traction.x",
      "finite"},
