@@ -1,5 +1,8 @@
 #include "solver/implicit/discretization.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "solver/implicit/stencil_kernels.h"
 
 namespace trajan {
@@ -25,6 +28,7 @@ Discretization::Discretization(const Model& model, Executor& executor)
   first_particle_.assign(1, 0);
   for (const BlockRange& block : tiles_.blocks()) first_particle_.push_back(first_particle_.back() + block.count);
   find_stencils(model, executor);
+  if (model.numerics.locking_remedy != "none") find_cells();
 }
 
 void Discretization::find_stencils(const Model& model, Executor& executor) {
@@ -69,6 +73,24 @@ void Discretization::find_stencils(const Model& model, Executor& executor) {
   for (const BlockStencils& s : stencils)
     for (int node : s.nodes)
       nodes_.push_back(static_cast<std::uint32_t>(numbers_[static_cast<std::size_t>(node)]));
+}
+
+/// Sorts particles by body and nodes; those of one cell keep their order.
+void Discretization::find_cells() {
+  cell_particles_.resize(particles());
+  std::iota(cell_particles_.begin(), cell_particles_.end(), 0u);
+  const auto before = [this](std::uint32_t a, std::uint32_t b) {
+    if (bodies_[a] != bodies_[b]) return bodies_[a] < bodies_[b];
+    return std::ranges::lexicographical_compare(particle(a).nodes, particle(b).nodes);
+  };
+  std::ranges::stable_sort(cell_particles_, before);
+  std::size_t nodes = 0;
+  for (std::size_t k = 0; k < cell_particles_.size(); ++k) {
+    if (k > 0 && !before(cell_particles_[k - 1], cell_particles_[k])) continue;
+    cells_.push_back({k, nodes});
+    nodes += particle(cell_particles_[k]).nodes.size();
+  }
+  cells_.push_back({cell_particles_.size(), nodes});
 }
 
 std::array<std::int64_t, 3> Discretization::grid_index(std::size_t n) const {

@@ -45,6 +45,15 @@ class Discretization {
   double volume(std::size_t p) const { return volumes_[p]; }
   std::uint32_t body(std::size_t p) const { return bodies_[p]; }
 
+  /// Particles of one body that see the same nodes, where each shape function is one polynomial. There are cells
+  /// only for scenes whose locking remedy asks for them.
+  std::size_t cells() const { return cells_.empty() ? 0 : cells_.size() - 1; }
+  std::span<const std::uint32_t> members(std::size_t cell) const {
+    return {cell_particles_.data() + cells_[cell].particle, cells_[cell + 1].particle - cells_[cell].particle};
+  }
+  /// The first node of a cell (or their end) in a list of all cells' nodes.
+  std::size_t first_node(std::size_t cell) const { return cells_[cell].node; }
+
   /// The number of a tile's node, -1 if no particle sees it.
   std::int32_t number(std::size_t tile, int node) const {
     return numbers_[tile * static_cast<std::size_t>(tile_nodes) + static_cast<std::size_t>(node)];
@@ -61,6 +70,7 @@ class Discretization {
 
  private:
   void find_stencils(const Model& model, Executor& executor);
+  void find_cells();
 
   const Tiles& tiles_;
   int axes_;
@@ -70,6 +80,11 @@ class Discretization {
   std::vector<double> weights_, gradients_, masses_, volumes_, inverse_radii_;
   std::vector<std::int32_t> numbers_;  ///< by tile and node
   std::vector<Owner> owners_;          ///< by number
+  struct CellBegin {
+    std::size_t particle, node;
+  };
+  std::vector<CellBegin> cells_;  ///< and one that ends the lists
+  std::vector<std::uint32_t> cell_particles_;
 };
 
 }  // namespace trajan

@@ -10,6 +10,16 @@ Responses::Responses(const Model& model, Executor& executor) : model_(model), ex
   const bool total = is_total_lagrangian(model.numerics.scheme);
   for (const Body& body : model.bodies)
     laws_.push_back(law_response(model.materials[body.material].kind->name, model.dimension, total));
+  if (model.numerics.locking_remedy == "mean_dilatation")
+    mean_dilatation_ = std::make_unique<MeanDilatation>(model, executor);
+}
+
+const std::vector<double>& Responses::feel(const Discretization& on, std::span<const double> displacement) {
+  gradients_.resize(on.particles() * static_cast<std::size_t>(on.components()));
+  executor_.visit([&](Block& block, std::size_t b, std::size_t) {
+    find_gradients(on, displacement, on.first_particle(b), block.count);
+  });
+  return mean_dilatation_ ? mean_dilatation_->felt(on, gradients_) : gradients_;
 }
 
 /// G = sum of displacements times gradients; the hoop is the radial displacement over the radius.
@@ -33,32 +43,33 @@ void Responses::find_gradients(const Discretization& on, std::span<const double>
 Responses::Trouble Responses::evaluate(const Discretization& on, std::span<const double> displacement, double dt,
                                        bool with_tangents) {
   const auto n = static_cast<std::size_t>(on.components());
-  gradients_.resize(on.particles() * n);
+  const std::vector<double>& felt = feel(on, displacement);
+  with_tangents = with_tangents || mean_dilatation_;
   forces_.resize(on.particles() * n);
   if (with_tangents) tangents_.resize(on.particles() * n * n);
   std::atomic<std::int64_t> inverted = 0, unsolved = 0;
   executor_.visit([&](Block& block, std::size_t b, std::size_t) {
     const std::size_t first = on.first_particle(b);
-    find_gradients(on, displacement, first, block.count);
     LawResponse response;
-    response.gradient = &gradients_[first * n];
+    response.gradient = &felt[first * n];
     response.force = &forces_[first * n];
     response.tangent = with_tangents ? &tangents_[first * n * n] : nullptr;
     laws_[executor_.tiles().blocks()[b].body]->respond(block, dt, response);
     inverted += response.inverted;
     unsolved += response.unsolved;
   });
-  return {inverted, unsolved};
+  const Trouble trouble{inverted, unsolved};
+  if (mean_dilatation_ && trouble.none()) mean_dilatation_->pull(on, forces_, tangents_);
+  return trouble;
 }
 
 void Responses::commit(const Discretization& on, std::span<const double> displacement, double dt) {
   const auto n = static_cast<std::size_t>(on.components()), grid = n - (on.axisymmetric() ? 1 : 0);
-  gradients_.resize(on.particles() * n);
+  const std::vector<double>& felt = feel(on, displacement);
   executor_.visit([&](Block& block, std::size_t b, std::size_t) {
     const std::size_t first = on.first_particle(b);
-    find_gradients(on, displacement, first, block.count);
     const std::uint16_t body = executor_.tiles().blocks()[b].body;
-    laws_[body]->commit(block, dt, &gradients_[first * n]);
+    laws_[body]->commit(block, dt, &felt[first * n]);
     const LawKernels& law = *executor_.bodies()[body].law;
     if (law.track == nullptr || block[Attribute::deformation_xx] == nullptr) return;
     // The law does without a deformation gradient, somebody else does not: it follows "velocities" for a unit
@@ -73,6 +84,7 @@ void Responses::commit(const Discretization& on, std::span<const double> displac
     }
     law.track(block);
   });
+  if (mean_dilatation_) mean_dilatation_->commit(on);
 }
 
 }  // namespace trajan

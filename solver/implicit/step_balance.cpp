@@ -63,6 +63,7 @@ double StepBalance::scale() const {
 
 const SparseMatrix& StepBalance::tangent() {
   view_.assembly.stiffness(responses_.tangents(), tangent_);
+  responses_.add_stiffness(view_.on, tangent_);
   if (loads_.follow()) external_at(to_, displacement_, &tangent_);
   if (inertia_.forces_share != 1) tangent_ *= inertia_.forces_share;
   if (inertia_.mass)

@@ -24,6 +24,7 @@ ModeProblem BucklingSteps::make_problem(const GridView& view) {
     if (!responses_.evaluate(view.on, span_of(displacement), model_.end_time, true).none())
       diverge("the materials have no answer to a small displacement", "check the initial state");
     view.assembly.stiffness(responses_.tangents(), tangent);
+    responses_.add_stiffness(view.on, tangent);
     return tangent;
   };
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(size);

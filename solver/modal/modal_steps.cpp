@@ -37,6 +37,7 @@ ModeProblem ModalSteps::make_problem(const GridView& view) {
   ModeProblem problem;
   SparseMatrix stiffness, mass;
   view.assembly.stiffness(responses_.tangents(), stiffness);
+  responses_.add_stiffness(view.on, stiffness);
   view.assembly.mass(lumped_, mass);
   problem.expand = constraints.expand();
   const SparseMatrix gather = problem.expand.transpose();

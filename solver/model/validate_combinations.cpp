@@ -17,6 +17,17 @@ struct Exclusion {
 bool is_total(const Model& model) { return is_total_lagrangian(model.numerics.scheme); }
 bool has_shapes(const Model& model, std::string_view name) { return model.numerics.shape_functions == name; }
 bool has_order(const Model& model) { return find_transfer(model.numerics.transfer)->ordered; }
+bool has_common_stencils(const Model& model) {
+  return !has_shapes(model, "gimp") && !has_shapes(model, "cpgimp") && !has_shapes(model, "cpdi");
+}
+bool is_thin(const Model& model) {
+  return model.dimension == Dimension::bar || model.dimension == Dimension::plane_stress;
+}
+bool shares_volume(const Model& model) { return model.numerics.locking_remedy == "mean_dilatation"; }
+bool is_explicit(const Model& model) {
+  return std::holds_alternative<ExplicitDynamics>(model.analysis) ||
+         std::holds_alternative<Relaxation>(model.analysis);
+}
 bool is_odd(std::int64_t cells) { return cells % 2 == 1; }
 
 constexpr Exclusion exclusions[] = {
@@ -45,6 +56,14 @@ constexpr Exclusion exclusions[] = {
      "leave it out, or choose numerics.transfer: \"FLIP\""},
     {[](const Model& m) { return m.numerics.transfer_order && !has_order(m); }, "numerics.transfer_order",
      "only the transfers \"XPIC\" and \"FMPM\" have an order", "leave it out, or choose one of them"},
+    {[](const Model& m) { return shares_volume(m) && is_explicit(m); }, "numerics.locking_remedy",
+     "explicit steps take one particle after the other, which knows nothing of those beside it in its cell",
+     "leave it out, or choose an implicit analysis, for example quasi_static"},
+    {[](const Model& m) { return shares_volume(m) && !has_common_stencils(m); }, "numerics.locking_remedy",
+     "particles of one cell do not see the same nodes through shape functions that are as wide as particles",
+     "leave it out, or choose \"linear\", \"bernstein\" or a B-spline"},
+    {[](const Model& m) { return shares_volume(m) && is_thin(m); }, "numerics.locking_remedy",
+     "where the thickness is free nothing holds the volume, and nothing locks", "leave it out"},
 };
 
 }  // namespace

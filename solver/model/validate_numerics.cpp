@@ -29,6 +29,9 @@ void Validator::check_numerics() {
     unknown_name("numerics.shape_functions", numerics.shape_functions, "shape function", shapes);
   }
   check_transfer();
+  const std::vector<std::string> remedies = {"none", "mean_dilatation"};
+  if (std::ranges::find(remedies, numerics.locking_remedy) == remedies.end())
+    unknown_name("numerics.locking_remedy", numerics.locking_remedy, "locking remedy", remedies);
   if (!(numerics.time_step_fraction > 0 && numerics.time_step_fraction <= 1)) {
     violations_.add("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "out of range",
                     "give a value greater than 0 and at most 1");

@@ -73,6 +73,7 @@ struct Numerics {
   double time_step_fraction = 0.5;
   std::optional<double> time_step;
   std::optional<std::int32_t> threads;
+  std::string locking_remedy = "none";
 };
 
 struct Scene {

@@ -28,7 +28,8 @@ struct LawResponse {
 
 /// A law, for one dimension and one configuration.
 struct LawResponseKernels {
-  int components;  ///< n
+  int components;             ///< n
+  bool geometrically_linear;  ///< the law takes all configurations for one
   /// From the state that particles carry, which it leaves as it is. `dt`: the time that the step takes.
   /// Tangents are the exact derivatives of the forces, with what plasticity and damage do within the step, and
   /// with stresses across planes and bars held at zero.

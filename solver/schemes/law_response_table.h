@@ -55,7 +55,7 @@ class LawResponder {
   }
 
   static const LawResponseKernels* kernels() {
-    static constexpr LawResponseKernels table{components, &respond, &commit};
+    static constexpr LawResponseKernels table{components, is_geometrically_linear<Law>(), &respond, &commit};
     return &table;
   }
 

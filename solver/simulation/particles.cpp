@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solver/loads/body_fields.h"
+#include "solver/schemes/law_response.h"
 #include "solver/schemes/law_state.h"
 #include "solver/schemes/schemes.h"
 #include "solver/transfers/transfer.h"
@@ -114,6 +115,25 @@ void begin_state(BodyParticles& made, const Body& body) {
          body.lattice);
 }
 
+/// Of particles that store their deformation gradient, and beside it their volume.
+void begin_volume(BodyParticles& made, const Model& model, const Body& body) {
+  std::vector<double>& volume = made[Attribute::volume];
+  if (volume.empty() || made.law->rate_form) return;
+  const bool linear =
+      law_response(model.materials[body.material].kind->name, model.dimension, true)->geometrically_linear;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    double f[3][3];
+    for (int k = 0; k < 9; ++k) {
+      const std::vector<double>& component = made.component(Attribute::deformation_xx, k);
+      f[k / 3][k % 3] = component.empty() ? k % 4 == 0 : component[i];
+    }
+    volume[i] *= linear ? f[0][0] + f[1][1] + f[2][2] - 2
+                        : f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1]) -
+                              f[0][1] * (f[1][0] * f[2][2] - f[1][2] * f[2][0]) +
+                              f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+  }
+}
+
 void begin_history(BodyParticles& made) {
   std::array<double, most_history_variables> history{};
   for (std::size_t i = 0; made.law->history > 0 && i < made.size(); ++i) {
@@ -139,6 +159,7 @@ BodyParticles make_body(const Model& model, std::size_t index) {
   made.number.resize(n);
   fill(made, model, body);
   begin_state(made, body);
+  begin_volume(made, model, body);
   begin_history(made);
   return made;
 }
@@ -170,6 +191,8 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
       for (int b = 0; b < grid_axes(model.dimension); ++b)
         add({affine(a, b)}, "transfer " + model.numerics.transfer);
   for (Attribute a : law.attributes) add({a}, law_name);
+  if (total && !law.rate_form && model.numerics.locking_remedy != "none")
+    add({volume}, "locking remedy " + model.numerics.locking_remedy);
   const bool shapes = kernels().transfer(model.numerics.shape_functions, model.dimension)->needs_deformation;
   const bool contacts = model.contacts.fields > 1;
   if (shapes || contacts || records_deformation(model))

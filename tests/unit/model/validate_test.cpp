@@ -205,6 +205,29 @@ const std::vector<Mistake> numerics = {
      "no shape function \"cubic\"", "the shape functions are: "},
     {"UnknownTransfer", [](Scene& s) { s.numerics.transfer = "XPIK"; }, "numerics.transfer",
      "no transfer \"XPIK\"", "did you mean \"XPIC\"?"},
+    {"UnknownLockingRemedy", [](Scene& s) { s.numerics.locking_remedy = "mean_dilation"; },
+     "numerics.locking_remedy", "no locking remedy \"mean_dilation\"", "did you mean \"mean_dilatation\"?"},
+    {"LockingRemedyOfExplicitSteps",
+     [](Scene& s) {
+       s.domain.dimension = Dimension::plane_strain;
+       s.numerics.locking_remedy = "mean_dilatation";
+     },
+     "numerics.locking_remedy", "explicit steps", "quasi_static"},
+    {"LockingRemedyOfParticlesThatSeeOtherNodes",
+     [](Scene& s) {
+       s.domain.dimension = Dimension::plane_strain;
+       s.analysis.kind = ImplicitDynamics{};
+       s.numerics.locking_remedy = "mean_dilatation";
+       s.numerics.shape_functions = "gimp";
+     },
+     "numerics.locking_remedy", "same nodes", "\"linear\""},
+    {"LockingRemedyOfAFreeThickness",
+     [](Scene& s) {
+       s.domain.dimension = Dimension::plane_stress;
+       s.analysis.kind = ImplicitDynamics{};
+       s.numerics.locking_remedy = "mean_dilatation";
+     },
+     "numerics.locking_remedy", "nothing locks"},
     {"OrderOfNothing", [](Scene& s) { s.numerics.transfer_order = 3; }, "numerics.transfer_order",
      "have an order"},
     {"OrderZero",

@@ -136,6 +136,7 @@ TEST_F(EveryField, KeepsAnalysisAndNumerics) {
   EXPECT_EQ(scene_.numerics.threads, 7);
   EXPECT_EQ(scene_.numerics.transfer, "XPIC");
   EXPECT_EQ(scene_.numerics.transfer_order, 5);
+  EXPECT_EQ(scene_.numerics.locking_remedy, "mean_dilatation");
 }
 
 TEST_F(EveryField, KeepsContacts) {
