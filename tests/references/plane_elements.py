@@ -144,7 +144,10 @@ class Mesh:
 
     def stiffness(self, displacement, law):
         """The tangent of the internal force."""
-        tangent = tangent_of(law, self.deformation_gradient(displacement))
+        return self.stiffness_of(tangent_of(law, self.deformation_gradient(displacement)))
+
+    def stiffness_of(self, tangent):
+        """The tangent of the internal force from those dP_ij / dF_kl at the quadrature points."""
         m = 2 * self.elements.shape[1]
         half = np.einsum("eq,eqijkl,eqbl->eqijbk", self.weights, tangent, self.gradients, optimize=True)
         return self.assemble(np.einsum("eqaj,eqijbk->eaibk", self.gradients, half, optimize=True).reshape(-1, m, m))
@@ -174,6 +177,28 @@ class Mesh:
         return mean / (self.lines_y[-1] - self.lines_y[0])
 
 
+class Quadrilateral(Mesh):
+    """A mesh of the unit square, mapped to a quadrilateral with upright sides: from x = 0 to `width`, from `left` = (lower,
+    upper) to `right`. `points` and lines stay those of the unit square."""
+
+    def __init__(self, lines_s, lines_t, degree, width, left, right):
+        self.width, self.left, self.right = width, np.asarray(left, float), np.asarray(right, float)
+        super().__init__(lines_s, lines_t, degree)
+
+    def _quadrature(self):
+        super()._quadrature()
+        place = np.einsum("qa,eai->eqi", self.values, self.points[self.elements])
+        lower, upper = ((1 - place[..., 0]) * a + place[..., 0] * b for a, b in zip(self.left, self.right))
+        slopes = self.right - self.left
+        skew = (1 - place[..., 1]) * slopes[0] + place[..., 1] * slopes[1]
+        height = upper - lower
+        by_s, by_t = self.gradients[..., 0], self.gradients[..., 1]
+        by_x = by_s / self.width - by_t * (skew / (self.width * height))[..., None]
+        self.gradients = np.stack([by_x, by_t / height[..., None]], axis=-1)
+        self.weights = self.weights * self.width * height
+        self._gradient_matrix = np.swapaxes(self.gradients, 1, 2).reshape(len(self.elements), self.values.shape[1], -1)
+
+
 def tangent_of(law, gradient, step=1e-6):
     """dP_ij / dF_kl of law P(F) by central differences (error about 1e-10 relative; Newton needs less)."""
     tangent = np.zeros(gradient.shape + (2, 2))
@@ -195,6 +220,34 @@ def solve_static(mesh, law, force, held, steps=4, tolerance=1e-11, start=None):
             correction = np.zeros(mesh.unknowns)
             correction[free] = spl.spsolve(mesh.stiffness(u, law)[free][:, free], residual)
             u += correction.reshape(-1, 2)
+            if np.abs(correction).max() <= tolerance * np.abs(u).max():
+                break
+        else:
+            raise RuntimeError("Newton's method did not converge")
+    return u
+
+
+def solve_neo_hookean(mesh, lam, mu, force, held, steps=4, tolerance=1e-9):
+    """The equilibrium of a neo-Hookean body, nearly incompressible ones too: `solve_static` with the pressure
+    lambda ln(J) of tangents for an unknown of its own at each quadrature point, for which Newton's method goes on to
+    where it would be if J were linear, so that volume ratios of large steps on the way do not spoil tangents (mixed
+    integration points: Magisano, Leonetti and Garcea 2017). The equilibria are the same."""
+    free = mesh.free_unknowns(held)
+    law = neo_hookean(lam, mu)
+    u = np.zeros((len(mesh.points), 2))
+    pressure = np.zeros(mesh.weights.shape)
+    for step in range(1, steps + 1):
+        for _ in range(40):
+            gradient = mesh.deformation_gradient(u)
+            det, g = invariants(gradient)
+            tangent = mu * np.einsum("ik,jl->ijkl", np.eye(2), np.eye(2)) + lam * np.einsum("eqij,eqkl->eqijkl", g, g)
+            tangent += np.einsum("eq,eqil,eqkj->eqijkl", mu - pressure, g, g)
+            residual = (step / steps * force - mesh.internal_force(u, law))[free]
+            correction = np.zeros(mesh.unknowns)
+            correction[free] = spl.spsolve(mesh.stiffness_of(tangent)[free][:, free], residual)
+            u += correction.reshape(-1, 2)
+            change = mesh.deformation_gradient(u) - gradient
+            pressure = lam * (np.log(det) + np.einsum("eqij,eqij->eq", g, change))
             if np.abs(correction).max() <= tolerance * np.abs(u).max():
                 break
         else:

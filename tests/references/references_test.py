@@ -14,12 +14,14 @@ import numpy as np
 import cantilever
 import column_buckling
 import compliant_bar
+import cook_membrane
 import compliant_cube
 import disc_impact
 import elastica
 import large_deflection
 import nonlinear_vibration
 import simply_supported_beam
+import toggle_frame
 from scene_text import constant
 
 HERE = pathlib.Path(__file__).parent
@@ -52,6 +54,27 @@ class Cantilever(unittest.TestCase):
         self.assertLess(self.computed["finite_difference_between_laws"], 1e-4)
 
 
+class CookMembrane(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.computed = cook_membrane.reference(fine=False)
+
+    def test_the_scenes_state_what_finite_elements_find(self):
+        for scene, name in (("cook_membrane", "incompressible_finite"), ("cook_membrane_linear", "incompressible_linear")):
+            tolerance = self.computed[f"{name}_error"]
+            # A tenth of what the scenes allow.
+            self.assertLess(tolerance, 0.003 * self.computed[name])
+            self.assertAlmostEqual(constant(scene, "rise"), self.computed[name], delta=tolerance)
+            # It moves the exact value by half of a length at most.
+            self.assertAlmostEqual(constant(scene, "slope"), self.computed[f"{name}_slope"], delta=2 * tolerance)
+
+    def test_they_find_what_has_been_published(self):
+        # Cook's panel: tables give four digits. The corner at finite strain: within half a percent, where stresses are
+        # singular.
+        self.assertAlmostEqual(self.computed["cook"], 23.96, delta=0.03)
+        self.assertAlmostEqual(self.computed["incompressible_finite_corner"], 6.9083, delta=0.005 * 6.9083)
+
+
 class Elastica(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -66,6 +89,16 @@ class Elastica(unittest.TestCase):
 
     def test_shooting_and_elliptic_integrals_agree(self):
         self.assertLess(self.computed["end_load_difference"], 1e-9)
+
+
+class ToggleFrame(unittest.TestCase):
+    def test_the_scene_states_the_limit_points_that_finite_elements_find(self):
+        computed = toggle_frame.reference(fine=False)
+        for name in ("maximum", "minimum"):
+            # Half of the last printed digit, and the discretisation.
+            tolerance = 5e-5 + computed[f"{name}_error"]
+            self.assertLess(tolerance, 1.5e-3)
+            self.assertAlmostEqual(constant("toggle_frame", name), computed[name], delta=tolerance)
 
 
 class SimplySupportedBeam(unittest.TestCase):
