@@ -21,9 +21,10 @@ Model Validator::run() {
   check_domain();
   check_materials();
   check_bodies();
+  // Formulas of time are checked up to its end.
+  check_analysis();
   check_boundaries();
   check_contacts();
-  check_analysis();
   check_loads();
   check_numerics();
   check_outputs();
