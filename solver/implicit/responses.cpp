@@ -6,7 +6,7 @@
 
 namespace trajan {
 
-Responses::Responses(const Model& model, Executor& executor) : model_(model), executor_(executor) {
+Responses::Responses(const Model& model, Executor& executor) : executor_(executor) {
   const bool total = is_total_lagrangian(model.numerics.scheme);
   for (const Body& body : model.bodies)
     laws_.push_back(law_response(model.materials[body.material].kind->name, model.dimension, total));

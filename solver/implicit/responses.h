@@ -40,7 +40,6 @@ class Responses {
   void find_gradients(const Discretization& on, std::span<const double> displacement, std::size_t first,
                       int count);
 
-  const Model& model_;
   Executor& executor_;
   std::vector<const LawResponseKernels*> laws_;      ///< by body
   std::unique_ptr<MeanDilatation> mean_dilatation_;  ///< if the scene asks for it

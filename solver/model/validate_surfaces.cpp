@@ -9,7 +9,7 @@
 namespace trajan {
 namespace {
 
-/// Searching the particles nearest to points takes time with the rows of the body.
+/// Searching the particle nearest to a point may take time with the rows of the body.
 constexpr double most_search_work = 1e8;
 
 /// Shares of the largest component of an acoustic tensor that are rounding.

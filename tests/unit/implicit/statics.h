@@ -54,4 +54,22 @@ inline Answer solve(const Model& model, int threads = 1) {
   return answer;
 }
 
+/// Runs a model of four samples whole, in three threads, and again from its second checkpoint.
+inline void expect_same_bits_always(const Model& model) {
+  Memory whole, threads, resumed;
+  RunOptions options;
+  options.checkpoint_interval = 0;
+  run(model, options, whole, {});
+  ASSERT_EQ(whole.rows.size(), 5u);
+  options.threads = 3;
+  run(model, options, threads, {});
+  EXPECT_EQ(threads.rows, whole.rows);
+  options.threads = 1;
+  options.resume = whole.checkpoints.at(1);
+  resumed.rows = {whole.rows.begin(), whole.rows.begin() + 3};
+  run(model, options, resumed, {});
+  EXPECT_EQ(resumed.rows, whole.rows);
+  EXPECT_EQ(resumed.snapshots.back().position, whole.snapshots.back().position);
+}
+
 }  // namespace trajan::test
