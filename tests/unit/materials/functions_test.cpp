@@ -12,6 +12,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 TEST(Exponential, IsThatOfTheLibraryToTwoUnitsInTheLastPlace) {
   for (double x = -707; x < 708; x += 0.0137) EXPECT_NEAR(exponential(x) / std::exp(x), 1, 2 * epsilon) << x;
   EXPECT_EQ(exponential(0), 1);
+  for (double tiny : {1e-18, 1e-200, 1e-308, 1e-320})
+    for (double x : {tiny, -tiny}) EXPECT_EQ(exponential(x), 1) << x;
 }
 
 TEST(Exponential, StaysPositiveAndFiniteWhereverItIsAskedFor) {
