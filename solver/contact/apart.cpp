@@ -7,7 +7,7 @@ namespace {
 
 /// Of hulls that are round; those of points are done after a few.
 constexpr int most_rounds = 50;
-constexpr double least_gap = 1e-6;
+constexpr double no_gap = 1e-6;
 
 void add_to(Components& sum, double times, const Components& vector) {
   for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += times * vector[axis];
@@ -29,6 +29,12 @@ Components foremost(const NearbyParticles& near, const Components& along) {
   const Components from = product(near.ellipsoids[best], along);
   const double length = std::sqrt(dot(along, from));
   if (length > 0) add_to(point, 1 / length, from);
+  for (const NearbyBoundary& boundary : near.boundary) {
+    const double to = dot(boundary.place, along);
+    if (!(to > furthest)) continue;
+    furthest = to;
+    point = boundary.place;
+  }
   return point;
 }
 
@@ -112,17 +118,17 @@ class Nearest {
 
 }  // namespace
 
-bool are_apart(int axes, const NearbyParticles& first, const NearbyParticles& second) {
+bool are_apart(int axes, const NearbyParticles& first, const NearbyParticles& second, double by) {
   Components gap = difference(second.places[0], first.places[0]);
   Nearest nearest(gap);
   for (int round = 0; round < most_rounds; ++round) {
     const double distance = std::sqrt(dot(gap, gap));
-    if (!(distance > least_gap)) return false;
+    if (!(distance > by + no_gap)) return false;
     Components along{}, against{};
     add_to(along, 1 / distance, gap);
     add_to(against, -1, along);
     const Components next = difference(foremost(second, against), foremost(first, along));
-    if (dot(next, along) > 0) return true;
+    if (dot(next, along) > by) return true;
     nearest.add(next);
     if (nearest.count() > static_cast<std::size_t>(axes)) return false;
     gap = nearest.at();

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <tuple>
 
-#include "solver/contact/apart.h"
+#include "solver/contact/meeting.h"
 
 namespace trajan {
 namespace {
+
+/// In cells: gaps that may be closed within a step.
+constexpr double soon = 0.1;
 
 double mass_of(const Tiles& tiles, std::size_t tile, int node) {
   return tiles.nodes(tile)[quantity_mass * tile_nodes + node];
@@ -23,7 +26,10 @@ bool pair_before(const NodeContact& a, const NodeContact& b) {
 }  // namespace
 
 BodyContacts::BodyContacts(const Model& model, int threads)
-    : axes_(grid_axes(model.dimension)), plan_(model.contacts), near_(static_cast<std::size_t>(threads)) {}
+    : axes_(grid_axes(model.dimension)), plan_(model.contacts), near_(static_cast<std::size_t>(threads)) {
+  for (std::size_t body = 0; plan_.fields > 1 && body < model.bodies.size(); ++body)
+    surfaces_.emplace_back(model, model.bodies[body]);
+}
 
 void BodyContacts::bind(const Tiles& tiles) {
   places_.clear();
@@ -78,10 +84,10 @@ void BodyContacts::find(Place& place, Near& near, const Tiles& tiles, const std:
         near.of_field.push_back(&near.particles[f * std::size_t{tile_nodes} + static_cast<std::size_t>(node)]);
         near.of_field.back()->clear();
       }
-      find_nearby(tiles, bodies, sweep, tiles.tiles()[place.first + f], shared, near.of_field);
+      find_nearby(tiles, bodies, surfaces_, sweep, tiles.tiles()[place.first + f], shared, near.of_field);
     }
     for (int node = 0; node < tile_nodes; ++node)
-      if (shared >> node & 1u) find_at_node(place, node, tiles, near);
+      if (shared >> node & 1u) find_at_node(place, node, tiles, sweep, near);
   }
   // What sticks does so until the next kick.
   for (NodeContact& contact : near.contacts) {
@@ -91,7 +97,8 @@ void BodyContacts::find(Place& place, Near& near, const Tiles& tiles, const std:
   place.contacts.assign(near.contacts.begin(), near.contacts.end());
 }
 
-void BodyContacts::find_at_node(const Place& place, int node, const Tiles& tiles, Near& near) const {
+void BodyContacts::find_at_node(const Place& place, int node, const Tiles& tiles, const SweepConstants& sweep,
+                                Near& near) const {
   for (std::uint32_t a = 0; a < place.fields; ++a)
     for (std::uint32_t b = a + 1; b < place.fields; ++b) {
       if (!(mass_of(tiles, place.first + a, node) > 0 && mass_of(tiles, place.first + b, node) > 0)) continue;
@@ -106,11 +113,13 @@ void BodyContacts::find_at_node(const Place& place, int node, const Tiles& tiles
       if (friction) {
         const NearbyParticles& of_a = near.particles[a * std::size_t{tile_nodes} + static_cast<std::size_t>(node)];
         const NearbyParticles& of_b = near.particles[b * std::size_t{tile_nodes} + static_cast<std::size_t>(node)];
-        if (of_a.places.empty() || of_b.places.empty() || are_apart(axes_, of_a, of_b)) continue;
-        const Components n = separating_normal(axes_, of_a.places, of_b.places);
-        const double to_a = reach(of_a, n), to_b = reach(of_b, {-n[0], -n[1], -n[2]});
-        if (!(to_a + to_b >= 0)) continue;
-        contact.normal = n;
+        if (of_a.places.empty() || of_b.places.empty()) continue;
+        const auto meets = meeting(axes_, of_a, of_b, soon);
+        if (!meets) continue;
+        contact.normal = meets->normal;
+        // At a sample particles stand still, and go on with the next kick.
+        const double time = sweep.drift > 0 ? sweep.drift : 2 * sweep.kick;
+        contact.approach = std::max(0.0, meets->gap) / (sweep.inverse_cell * time);
       }
       near.contacts.push_back(contact);
     }

@@ -54,7 +54,8 @@ class BodyContacts {
   void act(Place& place, Near& near, Tiles& tiles, const HeldComponents& held, double kick) const;
   void act_on(const Place& place, Near& near, Tiles& tiles, const HeldComponents& held,
               NodeVector velocities) const;
-  void find_at_node(const Place& place, int node, const Tiles& tiles, Near& near) const;
+  void find_at_node(const Place& place, int node, const Tiles& tiles, const SweepConstants& sweep,
+                    Near& near) const;
   /// Lets the fields exchange impulses, and calls of(contacts, motions) for every node of the place where they do.
   template <class Of>
   void exchange(const Place& place, std::span<NodeContact> contacts, std::vector<NodeMotion>& motions,
@@ -62,6 +63,7 @@ class BodyContacts {
 
   int axes_;
   ContactPlan plan_;
+  std::vector<BodySurface> surfaces_;  ///< by body
   std::vector<Place> places_;
   std::vector<Near> near_;  ///< by thread
 };

@@ -15,13 +15,14 @@ constexpr double least_normal = 1e-6;
 
 /// What the impulse of a contact must be, given what it would have to be to stop all relative motion. Whether that
 /// is what it is in the tangential direction.
-bool limit(Components& impulse, const NodeContact& contact, unsigned held) {
+bool limit(Components& impulse, const NodeContact& contact, double mass, unsigned held) {
   if (contact.bonded) return true;
   Components normal = contact.normal;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (held >> axis & 1u) normal[axis] = 0;
   const double length = std::sqrt(dot(normal, normal));
-  const double push = length > least_normal ? std::max(0.0, dot(impulse, normal) / length) : 0;
+  const double push =
+      length > least_normal ? std::max(0.0, (dot(impulse, normal) - mass * contact.approach) / length) : 0;
   if (push == 0) {
     impulse = {};
     return false;
@@ -50,7 +51,7 @@ void exchange_impulses(std::span<NodeContact> contacts, std::span<NodeMotion> fi
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (!(held >> axis & 1u))
           impulse[axis] = contact.impulse[axis] + mass * (a.velocity[axis] - b.velocity[axis]);
-      contact.sticks = limit(impulse, contact, held);
+      contact.sticks = limit(impulse, contact, mass, held);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double more = impulse[axis] - contact.impulse[axis];
         a.velocity[axis] -= more / a.mass;

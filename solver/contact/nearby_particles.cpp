@@ -11,22 +11,47 @@ namespace {
 /// every body, however few particles it has in a cell, and no more, lest curved surfaces touch too early.
 constexpr double beside = 0.75;
 
-Ellipsoid ellipsoid_of(int axes, const BodyParticles& body, std::uint32_t i) {
-  const bool deforms = !body[Attribute::deformation_xx].empty();
+using Matrix = std::array<Components, 3>;
+
+/// The deformation gradient of a particle; of axes that the grid lacks it is 1.
+Matrix deformation_of(int axes, const BodyParticles& body, std::uint32_t i) {
+  Matrix gradient{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  if (body[Attribute::deformation_xx].empty()) return gradient;
+  for (int a = 0; a < axes; ++a)
+    for (int b = 0; b < axes; ++b)
+      gradient[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
+          body.component(Attribute::deformation_xx, 3 * a + b)[i];
+  return gradient;
+}
+
+Ellipsoid ellipsoid_of(int axes, const BodyParticles& body, const Matrix& gradient) {
   Ellipsoid sum{};
-  for (int b = 0; b < axes; ++b) {
+  for (std::size_t b = 0; b < static_cast<std::size_t>(axes); ++b) {
     Components edge{};
-    for (int a = 0; a < axes; ++a) {
-      const double gradient =
-          deforms ? body.component(Attribute::deformation_xx, 3 * a + b)[i] : static_cast<double>(a == b);
-      edge[static_cast<std::size_t>(a)] = gradient * body.constants.half_size[b];
-    }
+    for (std::size_t a = 0; a < static_cast<std::size_t>(axes); ++a)
+      edge[a] = gradient[a][b] * body.constants.half_size[b];
     for (std::size_t a = 0; a < 3; ++a) {
       sum[a] += edge[a] * edge[a];
       sum[a == 2 ? 5 : 3 + a] += edge[a == 2 ? 0 : a] * edge[a == 2 ? 2 : a + 1];
     }
   }
   return sum;
+}
+
+/// A point of the surface goes along with its particle: F from, and cof F normal (Nanson).
+NearbyBoundary moved(const BoundaryPoint& point, const Matrix& f, const Components& place) {
+  NearbyBoundary now{place, {}};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t a1 = (a + 1) % 3, a2 = (a + 2) % 3;
+    for (std::size_t b = 0; b < 3; ++b) {
+      const std::size_t b1 = (b + 1) % 3, b2 = (b + 2) % 3;
+      now.place[a] += f[a][b] * point.from[b];
+      now.normal[a] += (f[a1][b1] * f[a2][b2] - f[a1][b2] * f[a2][b1]) * point.normal[b];
+    }
+  }
+  const double length = std::sqrt(dot(now.normal, now.normal));
+  for (double& component : now.normal) component /= length > 0 ? length : 1;
+  return now;
 }
 
 /// Along every axis, first and last.
@@ -55,8 +80,10 @@ std::pair<int, int> nodes_near(double place, int side) {
           std::min(side - 1, static_cast<int>(std::floor(place + nearby)))};
 }
 
-void add_to_nodes(const Layout& layout, const Components& place, const Ellipsoid& ellipsoid, std::uint64_t nodes,
-                  std::vector<NearbyParticles*>& near) {
+/// Calls of(what is near, place from the node) for each of the nodes near a place.
+template <class Of>
+void for_each_node_near(const Layout& layout, const Components& place, std::uint64_t nodes,
+                        std::vector<NearbyParticles*>& near, Of&& of) {
   std::pair<int, int> range[3] = {{0, 0}, {0, 0}, {0, 0}};
   for (int axis = 0; axis < layout.dimensions; ++axis)
     range[axis] = nodes_near(place[static_cast<std::size_t>(axis)], layout.side);
@@ -66,7 +93,7 @@ void add_to_nodes(const Layout& layout, const Components& place, const Ellipsoid
         const int node = (k * layout.side + j) * layout.side + i;
         if (!(nodes >> node & 1u)) continue;
         const Components from = {place[0] - i, place[1] - j, place[2] - k};
-        if (dot(from, from) <= nearby * nearby) near[static_cast<std::size_t>(node)]->add(from, ellipsoid);
+        if (dot(from, from) <= nearby * nearby) of(*near[static_cast<std::size_t>(node)], from);
       }
 }
 
@@ -77,8 +104,9 @@ Components product(const Ellipsoid& e, const Components& v) {
           e[5] * v[0] + e[4] * v[1] + e[2] * v[2]};
 }
 
-void find_nearby(const Tiles& tiles, const std::vector<BodyParticles>& bodies, const SweepConstants& sweep,
-                 const Tile& tile, std::uint64_t nodes, std::vector<NearbyParticles*>& near) {
+void find_nearby(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
+                 const std::vector<BodySurface>& surfaces, const SweepConstants& sweep, const Tile& tile,
+                 std::uint64_t nodes, std::vector<NearbyParticles*>& near) {
   const Layout& layout = tiles.layout();
   const Range range = range_of(layout, nodes);
   for (int n = 0; n < layout.neighbours; ++n) {
@@ -100,7 +128,19 @@ void find_nearby(const Tiles& tiles, const std::vector<BodyParticles>& bodies, c
           is_near = at >= range.first[a] - nearby && at <= range.last[a] + nearby;
           place[a] = at;
         }
-        if (is_near) add_to_nodes(layout, place, ellipsoid_of(layout.dimensions, body, i), nodes, near);
+        if (!is_near) continue;
+        const Matrix gradient = deformation_of(layout.dimensions, body, i);
+        const Ellipsoid ellipsoid = ellipsoid_of(layout.dimensions, body, gradient);
+        for_each_node_near(layout, place, nodes, near, [&](NearbyParticles& of_node, const Components& from) {
+          of_node.add(from, ellipsoid);
+        });
+        for (const BoundaryPoint& point : surfaces[block.body].of(body.number[i])) {
+          const NearbyBoundary boundary = moved(point, gradient, place);
+          for_each_node_near(layout, boundary.place, nodes, near,
+                             [&](NearbyParticles& of_node, const Components& from) {
+                               of_node.boundary.push_back({from, boundary.normal});
+                             });
+        }
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/contact/body_surface.h"
 #include "solver/contact/separating_plane.h"
 #include "solver/executors/tiles.h"
 #include "solver/simulation/particles.h"
@@ -15,14 +16,22 @@ using Ellipsoid = std::array<double, 6>;
 
 Components product(const Ellipsoid& ellipsoid, const Components& vector);
 
+/// A point of a field's surface near a node, in cells from there.
+struct NearbyBoundary {
+  Components place;
+  Components normal;  ///< of unit length, outwards
+};
+
 /// The particles of one field that are near a node: places in cells from the node, and how far they reach from
-/// there.
+/// there; and the field's surface.
 struct NearbyParticles {
   std::vector<Components> places;
   std::vector<Ellipsoid> ellipsoids;
+  std::vector<NearbyBoundary> boundary;
   void clear() {
     places.clear();
     ellipsoids.clear();
+    boundary.clear();
   }
   void add(const Components& place, const Ellipsoid& ellipsoid) {
     places.push_back(place);
@@ -39,8 +48,9 @@ inline constexpr double nearby = 2;
 
 /// Adds the particles of a tile's field to what is near the tile's nodes. `nodes`: bits of those that are asked
 /// for; `near`: by node.
-void find_nearby(const Tiles& tiles, const std::vector<BodyParticles>& bodies, const SweepConstants& sweep,
-                 const Tile& tile, std::uint64_t nodes, std::vector<NearbyParticles*>& near);
+void find_nearby(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
+                 const std::vector<BodySurface>& surfaces, const SweepConstants& sweep, const Tile& tile,
+                 std::uint64_t nodes, std::vector<NearbyParticles*>& near);
 
 /// How far a field reaches along a unit vector from a node, in cells. Of those that are not too far beside the
 /// vector, if there are some.

@@ -53,9 +53,10 @@ Scene meeting(Dimension dimension) {
   return scene;
 }
 
-/// Free flight until a hundredth of a cell is left; then impulses are equal and opposite, and consume energy.
+/// Free flight until less is left than a step goes on, at most 0.03 of the gap; then impulses are equal and
+/// opposite, and consume energy.
 void expect_right(Scene scene) {
-  scene.analysis.end_time = 0.98 * gap;
+  scene.analysis.end_time = 0.96 * gap;
   const Model before = validate(scene);
   const test::Memory flight = recorded(before);
   const double kinetic = flight.rows.front()[column(before, "energies.kinetic")];
