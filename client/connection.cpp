@@ -109,6 +109,7 @@ Connection::Connection(std::string address) : address_(std::move(address)) {
   arguments.SetMaxReceiveMessageSize(16 << 20);
   channel_ = grpc::CreateCustomChannel(address_, grpc::InsecureChannelCredentials(), arguments);
   jobs_ = v1::Jobs::NewStub(channel_);
+  studies_ = v1::Studies::NewStub(channel_);
 }
 
 bool Connection::answers_within(std::chrono::milliseconds wait) {

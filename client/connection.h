@@ -9,6 +9,7 @@
 
 #include "client/exit_code.h"
 #include "trajan/v1/jobs.grpc.pb.h"
+#include "trajan/v1/studies.grpc.pb.h"
 
 namespace trajan::client {
 
@@ -50,6 +51,13 @@ class Connection {
     repeat([&](grpc::ClientContext& context) { return (jobs_.get()->*method)(&context, request, &response); });
     return response;
   }
+  template <typename Request, typename Response>
+  Response call(grpc::Status (v1::Studies::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                const Request& request) {
+    Response response;
+    repeat([&](grpc::ClientContext& context) { return (studies_.get()->*method)(&context, request, &response); });
+    return response;
+  }
 
  private:
   void repeat(const std::function<grpc::Status(grpc::ClientContext&)>& attempt);
@@ -57,6 +65,7 @@ class Connection {
   std::string address_;
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
+  std::unique_ptr<v1::Studies::Stub> studies_;
 };
 
 /// Pauses between attempts: 0.1 s, twice as long each time, at most 2 s.

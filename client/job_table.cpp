@@ -57,6 +57,22 @@ std::string result_of(const v1::ResultFile& result) {
                      result.complete() ? "" : ", incomplete: the run ended early");
 }
 
+std::string study_of(const v1::Job& job) {
+  const v1::StudyProgress& study = job.study();
+  if (!job.has_study()) return {};
+  std::string text = fmt::format("{} of {} runs: {} succeeded", study.kind(), study.runs(), study.succeeded());
+  if (study.failed() > 0) text += fmt::format(", {} failed", study.failed());
+  if (study.cancelled() > 0) text += fmt::format(", {} cancelled", study.cancelled());
+  return study.running() == 0 ? text : text + fmt::format(", {} running", study.running());
+}
+
+std::string cost_of(const v1::Cost& cost) {
+  std::string text = fmt::format("{:.3g} core-seconds", cost.core_seconds());
+  if (cost.peak_memory_bytes() > 0)
+    text += ", " + bytes_for_people(static_cast<double>(cost.peak_memory_bytes())) + " of memory";
+  return text;
+}
+
 Cell verdict_of(const v1::MeasureValue& measure) {
   if (!measure.has_error() || !measure.has_tolerance()) return {};
   return std::string(std::abs(measure.error()) <= measure.tolerance() ? "ok" : "off");
@@ -73,7 +89,9 @@ Table job_table(std::span<const v1::Job* const> jobs) {
   Table table{{"job", "state", "scene", "progress", "submitted", "took", "labels"}, {}};
   for (const v1::Job* job : jobs) {
     const auto submitted = time_text(job->submitted());
-    table.rows.push_back({job->job_id(), state_name(job->state()), job->scene_name(), progress_of(*job),
+    const std::string what =
+        job->has_study() ? fmt::format(" ({} of {})", job->study().kind(), job->study().runs()) : std::string();
+    table.rows.push_back({job->job_id(), state_name(job->state()), job->scene_name() + what, progress_of(*job),
                           submitted ? Cell(*submitted) : Cell(), time_taken(*job), labels_of(*job)});
   }
   return table;
@@ -97,8 +115,12 @@ std::string describe_job(const v1::Job& job) {
   };
   add("job", job.job_id());
   add("scene", job.scene_name());
+  add("study", study_of(job));
+  add("run of", job.parent_id());
   add("state", state_name(job.state()) + (job.attempts() > 1 ? fmt::format(" (attempt {})", job.attempts()) : ""));
-  add("progress", job.has_progress() ? place_of(job) : "");
+  add("answer of", job.answered_by().empty() ? "" : "job " + job.answered_by());
+  add("progress", job.has_progress() && !job.has_study() ? place_of(job) : "");
+  add("cost", job.has_cost() ? cost_of(job.cost()) : "");
   add("labels", cell_text(labels_of(job)));
   add("priority", job.priority() == 0 ? "" : std::to_string(job.priority()));
   add("submitted", time_text(job.submitted()).value_or(""));

@@ -11,8 +11,8 @@
 
 #include "client/diagnostics.h"
 #include "client/gallery.h"
-#include "client/suggestion.h"
 #include "client/terminal.h"
+#include "proto/suggestion.h"
 
 namespace trajan::client {
 namespace {

@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "client/commands/command.h"
-#include "client/suggestion.h"
 #include "client/terminal.h"
+#include "proto/suggestion.h"
 
 namespace {
 
@@ -42,7 +42,7 @@ ExitCode report_usage(const CLI::App& program, const CLI::ParseError& error, int
     if (is_known) {
       hint = fmt::format("`trajan {} --help` says how it is used", word);
     } else if (!word.starts_with('-')) {
-      say_error(fmt::format("there is no command \"{}\"", word), suggest(word, names, "the commands are"));
+      say_error(fmt::format("there is no command \"{}\"", word), trajan::suggest(word, names, "the commands are"));
       return ExitCode::usage;
     }
   }

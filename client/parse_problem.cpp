@@ -5,7 +5,7 @@
 #include <cctype>
 #include <regex>
 
-#include "client/suggestion.h"
+#include "proto/suggestion.h"
 #include "trajan/v1/scene.pb.h"
 
 namespace trajan::client {

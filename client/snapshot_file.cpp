@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "client/exit_code.h"
-#include "client/suggestion.h"
+#include "proto/suggestion.h"
 
 namespace trajan::client {
 namespace {

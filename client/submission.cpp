@@ -16,15 +16,21 @@ std::string random_id() {
                      words[2] >> 16, words[2] & 0xFFFF, words[3]);
 }
 
-v1::Job submit_scene(Connection& connection, const LoadedScene& scene, const SubmitOptions& options) {
-  v1::SubmitJobRequest request;
-  for (const std::string& label : options.labels) {
+google::protobuf::Map<std::string, std::string> parse_labels(const std::vector<std::string>& labels) {
+  google::protobuf::Map<std::string, std::string> parsed;
+  for (const std::string& label : labels) {
     const std::size_t equals = label.find('=');
     if (equals == 0 || equals == std::string::npos) {
       throw CommandError(ExitCode::usage, fmt::format("\"{}\" is not a label", label), "write --label key=value");
     }
-    (*request.mutable_labels())[label.substr(0, equals)] = label.substr(equals + 1);
+    parsed[label.substr(0, equals)] = label.substr(equals + 1);
   }
+  return parsed;
+}
+
+v1::Job submit_scene(Connection& connection, const LoadedScene& scene, const SubmitOptions& options) {
+  v1::SubmitJobRequest request;
+  *request.mutable_labels() = parse_labels(options.labels);
   check_scene(connection, scene);
   request.set_request_id(options.request_id.empty() ? random_id() : options.request_id);
   *request.mutable_scene() = scene.text.scene();

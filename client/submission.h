@@ -18,6 +18,9 @@ struct SubmitOptions {
 /// it never makes two jobs. Throws CommandError.
 v1::Job submit_scene(Connection& connection, const LoadedScene& scene, const SubmitOptions& options);
 
+/// From "key=value". Throws CommandError (usage).
+google::protobuf::Map<std::string, std::string> parse_labels(const std::vector<std::string>& labels);
+
 /// A random UUID (RFC 4122, version 4).
 std::string random_id();
 

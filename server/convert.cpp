@@ -67,6 +67,12 @@ v1::Violation to_proto(const Violation& violation) {
   return message;
 }
 
+google::protobuf::RepeatedPtrField<v1::Violation> to_proto(const std::vector<Violation>& violations) {
+  google::protobuf::RepeatedPtrField<v1::Violation> messages;
+  for (const Violation& violation : violations) *messages.Add() = to_proto(violation);
+  return messages;
+}
+
 v1::MeasureValue to_proto(const MeasureValue& value) {
   v1::MeasureValue message;
   message.set_name(value.name);

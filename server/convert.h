@@ -17,6 +17,7 @@ namespace trajan {
 Scene to_scene(const v1::Scene& message);
 
 v1::Violation to_proto(const Violation& violation);
+google::protobuf::RepeatedPtrField<v1::Violation> to_proto(const std::vector<Violation>& violations);
 v1::MeasureValue to_proto(const MeasureValue& value);
 
 /// Without `remaining`, which the solver does not know.

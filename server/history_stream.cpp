@@ -37,12 +37,12 @@ std::vector<std::size_t> select_columns(const std::vector<std::string>& columns,
 class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
  public:
   HistoryStream(grpc::CallbackServerContext* context, v1::StreamHistoryRequest request, std::int64_t job,
-                store::Store& store, Hub& hub, HistoryReading& reading, std::filesystem::path directory)
+                store::Store& store, Hub& hub, HistoryReading& reading, std::filesystem::path jobs_directory)
       : Stream(context, job, hub, reading.queue),
         request_(std::move(request)),
         store_(store),
         readers_(reading.readers),
-        directory_(std::move(directory)),
+        jobs_directory_(std::move(jobs_directory)),
         row_(request_.first_row()) {}
 
  private:
@@ -50,6 +50,7 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
     // In this order: rows that were written before the job ended are seen after it.
     const v1::Job now = store_.read([&](store::Database& database) { return store::get_job(database, job()); });
     const bool ended = store::has_ended(now.state());
+    directory_ = store::files_of(jobs_directory_, now);
     if (!readable()) {
       if (request_.follow() && !ended) return Next::wait;
       throw ServiceError(grpc::StatusCode::FAILED_PRECONDITION, "NO_HISTORY",
@@ -104,7 +105,8 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
   const v1::StreamHistoryRequest request_;
   store::Store& store_;
   HistoryReaders& readers_;
-  const std::filesystem::path directory_;
+  const std::filesystem::path jobs_directory_;
+  std::filesystem::path directory_;  ///< of the file
   std::shared_ptr<SharedReader> reader_;
   std::vector<std::size_t> selected_;
   std::vector<double> time_;
@@ -124,8 +126,8 @@ grpc::ServerWriteReactor<v1::StreamHistoryResponse>* stream_history(grpc::Callba
   if (request.first_row() < 0) {
     throw ServiceError(grpc::StatusCode::INVALID_ARGUMENT, "FIRST_ROW", "first_row must not be negative");
   }
-  return Stream<v1::StreamHistoryResponse>::start(std::make_shared<HistoryStream>(
-      context, request, job, store, hub, reading, jobs_directory / std::to_string(job)));
+  return Stream<v1::StreamHistoryResponse>::start(
+      std::make_shared<HistoryStream>(context, request, job, store, hub, reading, jobs_directory));
 }
 
 }  // namespace trajan

@@ -1,5 +1,6 @@
 #include "server/jobs_service.h"
 
+#include "server/check_scene.h"
 #include "server/convert.h"
 #include "server/history_stream.h"
 #include "server/log.h"
@@ -7,24 +8,12 @@
 #include "server/result_stream.h"
 #include "server/status.h"
 #include "server/store_jobs.h"
+#include "server/store_studies.h"
 #include "server/watch_stream.h"
 
 namespace trajan {
 
 namespace {
-
-/// Throws ServiceError INVALID_ARGUMENT with all violations as details.
-void require_valid(const v1::Scene& scene) {
-  try {
-    validate(to_scene(scene));
-  } catch (const InvalidScene& invalid) {
-    ServiceError error(grpc::StatusCode::INVALID_ARGUMENT, "INVALID_SCENE", invalid.what());
-    for (const Violation& violation : invalid.violations()) {
-      *error.details().add_violations() = to_proto(violation);
-    }
-    throw error;
-  }
-}
 
 /// Histories with their times, and snapshots of doubles: positions, velocities and what is asked for, all of them
 /// with the components of a solid.
@@ -46,7 +35,7 @@ void check_scene(const v1::Scene& scene, v1::CheckSceneResponse& response) {
     *response.mutable_plan() = to_proto(plan(model));
     response.mutable_plan()->set_result_bytes(estimate_result_bytes(model));
   } catch (const InvalidScene& invalid) {
-    for (const Violation& violation : invalid.violations()) *response.add_violations() = to_proto(violation);
+    *response.mutable_violations() = to_proto(invalid.violations());
   }
 }
 
@@ -119,15 +108,20 @@ grpc::ServerUnaryReactor* JobsService::ListJobs(grpc::CallbackServerContext* con
 grpc::ServerUnaryReactor* JobsService::CancelJob(grpc::CallbackServerContext* context,
                                                  const v1::CancelJobRequest* request, v1::Job* response) {
   auto* reactor = context->DefaultReactor();
+  auto runs = std::make_shared<std::vector<std::int64_t>>();
   store_.commit(
       [=](store::Database& database) {
-        *response = store::cancel(database, store::job_number(request->job_id()), request->reason());
+        const std::int64_t job = store::job_number(request->job_id());
+        *response = store::cancel(database, job, request->reason());
+        *runs = store::runs_of(database, job);
+        runs->push_back(job);
       },
       [=, this](std::exception_ptr error) {
-        if (!error) {
-          const std::int64_t job = store::job_number(response->job_id());
-          if (response->state() == v1::CANCELLING) scheduler_.cancel(job);
-          hub_.publish(job);
+        if (!error && response->state() != v1::SUCCEEDED) {
+          for (const std::int64_t job : *runs) {
+            scheduler_.cancel(job);
+            hub_.publish(job);
+          }
         }
         reactor->Finish(to_status(*context, error));
       });
@@ -140,9 +134,12 @@ grpc::ServerUnaryReactor* JobsService::DeleteJob(grpc::CallbackServerContext* co
   checks_.post([=, this] {
     answer(*context, *reactor, [&] {
       const std::int64_t job = store::job_number(request->job_id());
-      store_.commit([&](store::Database& database) { store::remove_job(database, job); });
-      std::filesystem::remove_all(jobs_directory_ / std::to_string(job));
-      hub_.publish(job);
+      std::vector<std::int64_t> removed;
+      store_.commit([&](store::Database& database) { removed = store::remove_job(database, job); });
+      for (const std::int64_t each : removed) {
+        std::filesystem::remove_all(jobs_directory_ / std::to_string(each));
+        hub_.publish(each);
+      }
     });
   });
   return reactor;

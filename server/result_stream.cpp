@@ -44,11 +44,11 @@ class Digest {
 class ResultStream final : public Stream<v1::ReadResultResponse> {
  public:
   ResultStream(grpc::CallbackServerContext* context, v1::ReadResultRequest request, std::int64_t job,
-               store::Store& store, Hub& hub, TaskQueue& queue, std::filesystem::path directory)
+               store::Store& store, Hub& hub, TaskQueue& queue, std::filesystem::path jobs_directory)
       : Stream(context, job, hub, queue),
         request_(std::move(request)),
         store_(store),
-        directory_(std::move(directory)),
+        jobs_directory_(std::move(jobs_directory)),
         offset_(request_.offset()) {}
 
  private:
@@ -74,6 +74,7 @@ class ResultStream final : public Stream<v1::ReadResultResponse> {
       throw ServiceError(grpc::StatusCode::FAILED_PRECONDITION, "NOT_ENDED",
                          "job " + job.job_id() + " has not ended");
     }
+    directory_ = store::files_of(jobs_directory_, job);
     const std::string name = request_.name().empty() ? results::result_name : request_.name();
     if (name == results::result_name && job.has_result()) {
       size_ = job.result().size();
@@ -115,7 +116,8 @@ class ResultStream final : public Stream<v1::ReadResultResponse> {
 
   const v1::ReadResultRequest request_;
   store::Store& store_;
-  const std::filesystem::path directory_;
+  const std::filesystem::path jobs_directory_;
+  std::filesystem::path directory_;  ///< of the file
   std::ifstream file_;
   Digest digest_;
   std::int64_t offset_;
@@ -130,8 +132,8 @@ grpc::ServerWriteReactor<v1::ReadResultResponse>* read_result(grpc::CallbackServ
                                                               store::Store& store, Hub& hub, TaskQueue& queue,
                                                               const std::filesystem::path& jobs_directory) {
   const std::int64_t job = store::job_number(request.job_id());
-  return Stream<v1::ReadResultResponse>::start(std::make_shared<ResultStream>(
-      context, request, job, store, hub, queue, jobs_directory / std::to_string(job)));
+  return Stream<v1::ReadResultResponse>::start(
+      std::make_shared<ResultStream>(context, request, job, store, hub, queue, jobs_directory));
 }
 
 }  // namespace trajan

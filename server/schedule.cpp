@@ -99,7 +99,7 @@ void Scheduler::finish_assignment(Waiting waiting, std::optional<store::Lease> l
     logging::info("job leased", {{"job", std::to_string(lease->job)},
                                  {"attempt", std::to_string(lease->attempt)},
                                  {"worker", lease->worker}});
-    hub_.publish(lease->job);
+    publish(*lease);
     reply_with(*lease, waiting.reply);
     // The worker may have died before its lease was known here.
     if (lease->process_id != 0 && !pool_.owns(lease->worker)) lose(*lease, "it ended before it began");
@@ -112,6 +112,11 @@ void Scheduler::finish_assignment(Waiting waiting, std::optional<store::Lease> l
     waiting_.push_front(std::move(waiting));
   }
   if (again) request_assignment(std::move(lock));
+}
+
+void Scheduler::publish(const store::Lease& lease) {
+  hub_.publish(lease.job);
+  if (lease.study != 0) hub_.publish(lease.study);
 }
 
 /// A worker that gets an error asks again, and gets the same lease.
@@ -141,7 +146,7 @@ v1::LeaseResponse Scheduler::make_response(const store::Lease& lease) {
 
 void Scheduler::report(const v1::ReportRequest& request, ReportReply reply) {
   v1::ReportResponse response;
-  std::int64_t job = 0;
+  store::Lease lease;
   {
     const std::lock_guard lock(mutex_);
     const auto found = active_.find(request.lease_id());
@@ -149,33 +154,33 @@ void Scheduler::report(const v1::ReportRequest& request, ReportReply reply) {
       found->second.deadline = Clock::now() + seconds(options_.lease_seconds);
       response.set_cancel(found->second.lease.cancelling);
       response.set_release(draining_);
-      job = found->second.lease.job;
+      lease = found->second.lease;
     }
   }
   store_.commit([request](store::Database& database) { store::record_report(database, request); },
-                [this, job, response, reply = std::move(reply)](std::exception_ptr error) {
-                  if (!error) hub_.publish(job);
+                [this, lease, response, reply = std::move(reply)](std::exception_ptr error) {
+                  if (!error) publish(lease);
                   reply(response, error);
                 });
 }
 
 void Scheduler::complete(const v1::CompleteRequest& request, CompleteReply reply) {
-  store_.commit(
-      [request](store::Database& database) { store::complete(database, request); },
-      [this, id = request.lease_id(), outcome = request.outcome_case(),
-       reply = std::move(reply)](std::exception_ptr error) {
-        std::unique_lock lock(mutex_);
-        const auto found = active_.find(id);
-        const std::int64_t job = found == active_.end() ? 0 : found->second.lease.job;
-        if (!error && found != active_.end()) active_.erase(found);
-        lock.unlock();
-        if (!error && job != 0) {
-          logging::info("lease completed", {{"job", std::to_string(job)}, {"outcome", std::to_string(outcome)}});
-          hub_.publish(job);
-        }
-        reply(error);
-        assign();
-      });
+  store_.commit([request](store::Database& database) { store::complete(database, request); },
+                [this, id = request.lease_id(), outcome = request.outcome_case(),
+                 reply = std::move(reply)](std::exception_ptr error) {
+                  std::unique_lock lock(mutex_);
+                  const auto found = active_.find(id);
+                  const store::Lease lease = found == active_.end() ? store::Lease{} : found->second.lease;
+                  if (!error && found != active_.end()) active_.erase(found);
+                  lock.unlock();
+                  if (!error && lease.job != 0) {
+                    logging::info("lease completed",
+                                  {{"job", std::to_string(lease.job)}, {"outcome", std::to_string(outcome)}});
+                    publish(lease);
+                  }
+                  reply(error);
+                  assign();
+                });
 }
 
 void Scheduler::cancel(std::int64_t job) {
@@ -206,8 +211,8 @@ void Scheduler::lose(const store::Lease& lease, const std::string& how) {
   logging::warning("lease lost", {{"job", std::to_string(lease.job)}, {"worker", lease.worker}, {"how", how}});
   store_.commit([lease, how, most = options_.most_losses](
                     store::Database& database) { store::lose(database, lease, how, most); },
-                [this, job = lease.job](std::exception_ptr) {
-                  hub_.publish(job);
+                [this, lease](std::exception_ptr) {
+                  publish(lease);
                   assign();
                 });
 }

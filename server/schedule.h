@@ -76,6 +76,8 @@ class Scheduler {
   void request_assignment(std::unique_lock<std::mutex> lock);
   void finish_assignment(Waiting waiting, std::optional<store::Lease> lease, std::exception_ptr error);
   void activate(const store::Lease& lease, Clock::time_point now);
+  /// The job changed, and so did the study that it is a run of.
+  void publish(const store::Lease& lease);
   void reply_with(const store::Lease& lease, const LeaseReply& reply);
   v1::LeaseResponse make_response(const store::Lease& lease);
   void lose(const store::Lease& lease, const std::string& how);

@@ -53,6 +53,7 @@ Server::Server(ServeOptions options)
             [this](const std::string& worker, const std::string& how) { scheduler_.worker_lost(worker, how); }),
       scheduler_(with_jobs_directory(options_.schedule, state_), store_, hub_, pool_),
       jobs_(store_, hub_, scheduler_, std::filesystem::absolute(state_.jobs())),
+      studies_(store_, scheduler_),
       workers_(scheduler_) {
   remove_orphaned_directories();
   scheduler_.recover();
@@ -81,13 +82,15 @@ void Server::listen() {
     builder.AddListeningPort(options_.listen[i], grpc::InsecureServerCredentials(), &ports[i]);
   }
   builder.RegisterService(&jobs_);
+  builder.RegisterService(&studies_);
   builder.RegisterService(&workers_);
   server_ = builder.BuildAndStart();
   for (std::size_t i = 0; i < ports.size(); ++i) {
     if (!server_ || ports[i] == 0) throw std::runtime_error("cannot listen on " + options_.listen[i]);
     addresses_.push_back(with_port(options_.listen[i], ports[i]));
   }
-  server_->GetHealthCheckService()->SetServingStatus(v1::Jobs::service_full_name(), true);
+  for (const char* service : {v1::Jobs::service_full_name(), v1::Studies::service_full_name()})
+    server_->GetHealthCheckService()->SetServingStatus(service, true);
 }
 
 void Server::start_workers() {
@@ -115,6 +118,7 @@ void Server::drain() {
   logging::info("draining");
   server_->GetHealthCheckService()->SetServingStatus(false);
   jobs_.drain();
+  studies_.drain();
   scheduler_.drain();
   pool_.stop(SIGTERM);
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(

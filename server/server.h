@@ -13,6 +13,7 @@
 #include "server/schedule.h"
 #include "server/state_directory.h"
 #include "server/store.h"
+#include "server/studies_service.h"
 #include "server/workers_service.h"
 
 namespace trajan {
@@ -55,6 +56,7 @@ class Server {
   WorkerPool pool_;
   Scheduler scheduler_;
   JobsService jobs_;
+  StudiesService studies_;
   WorkersService workers_;
   std::vector<std::string> addresses_;
   std::unique_ptr<grpc::Server> server_;

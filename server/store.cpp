@@ -1,6 +1,7 @@
 #include "server/store.h"
 
 #include <future>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -8,10 +9,9 @@ namespace trajan::store {
 
 namespace {
 
-constexpr int schema_version = 1;
-
-constexpr const char* schema = R"sql(
-  BEGIN;
+/// What brings a database from each version to the next; an empty one has version 0.
+constexpr const char* migrations[] = {
+    R"sql(
   CREATE TABLE jobs(
     job_id INTEGER PRIMARY KEY AUTOINCREMENT,
     state INTEGER NOT NULL,          -- trajan.v1.JobState
@@ -21,17 +21,33 @@ constexpr const char* schema = R"sql(
     process_id INTEGER NOT NULL,     -- of that worker if it is one of the server's own, or 0
     request_id TEXT UNIQUE,
     job BLOB NOT NULL,               -- trajan.v1.Job without its scene
-    request BLOB NOT NULL);          -- trajan.v1.SubmitJobRequest
+    request BLOB NOT NULL);          -- trajan.v1.SubmitJobRequest, of a study trajan.v1.SubmitStudyRequest
   CREATE INDEX queued ON jobs(priority DESC, job_id) WHERE state = 1;
   CREATE INDEX leased ON jobs(worker) WHERE worker IS NOT NULL;
   CREATE TABLE labels(
     key TEXT, value TEXT, job_id INTEGER, PRIMARY KEY(job_id, key)) WITHOUT ROWID;
   CREATE TABLE events(
     job_id INTEGER, sequence INTEGER, event BLOB NOT NULL,  -- trajan.v1.Event
-    PRIMARY KEY(job_id, sequence)) WITHOUT ROWID;
-  PRAGMA user_version = 1;
-  COMMIT;
-)sql";
+    PRIMARY KEY(job_id, sequence)) WITHOUT ROWID;)sql",
+    R"sql(
+  ALTER TABLE jobs ADD COLUMN is_study INTEGER NOT NULL DEFAULT 0;  -- never leased
+  ALTER TABLE jobs ADD COLUMN parent INTEGER;                       -- the study that it is a run of
+  ALTER TABLE jobs ADD COLUMN plan BLOB;  -- of a study trajan.v1.Study, of a run trajan.v1.Run: what was planned
+  ALTER TABLE jobs ADD COLUMN reuse INTEGER NOT NULL DEFAULT 0;     -- takes over the answer of an equal scene
+  ALTER TABLE jobs ADD COLUMN scene TEXT;        -- digest of the scene and the solver's version; NULL for studies
+  ALTER TABLE jobs ADD COLUMN answered_by INTEGER;                  -- whose answer it took over
+  DROP INDEX queued;
+  CREATE INDEX queued ON jobs(priority DESC, job_id) WHERE state = 1 AND is_study = 0;
+  CREATE INDEX runs ON jobs(parent) WHERE parent IS NOT NULL;
+  CREATE INDEX scenes ON jobs(scene) WHERE scene IS NOT NULL;
+  CREATE INDEX answers ON jobs(answered_by) WHERE answered_by IS NOT NULL;
+  CREATE TABLE findings(
+    job_id INTEGER, measure TEXT, family TEXT NOT NULL, machine TEXT NOT NULL,
+    finding BLOB NOT NULL,           -- trajan.v1.Finding
+    PRIMARY KEY(job_id, measure)) WITHOUT ROWID;
+  CREATE INDEX families ON findings(family, measure);)sql",
+};
+constexpr std::int64_t schema_version = std::size(migrations);
 
 /// WAL: readers and the writer do not wait for each other. FULL: a commit is on disk before it returns.
 void configure(Database& database) { database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"); }
@@ -43,12 +59,16 @@ void bring_to_present_schema(Database& database) {
     query.step();
     version = query.integer(0);
   }
-  if (version == schema_version) return;
-  if (version != 0) {
+  if (version > schema_version) {
     throw std::runtime_error("the database has schema version " + std::to_string(version) +
-                             "; this program knows version " + std::to_string(schema_version));
+                             "; this program knows versions up to " + std::to_string(schema_version));
   }
-  database.execute(schema);
+  for (; version < schema_version; ++version) {
+    const std::string next = std::to_string(version + 1);
+    database.execute(
+        ("BEGIN IMMEDIATE;" + std::string(migrations[version]) + "PRAGMA user_version = " + next + "; COMMIT;")
+            .c_str());
+  }
 }
 
 }  // namespace

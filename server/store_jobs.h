@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ inline constexpr std::int64_t queue_limit = 10'000;
 v1::Job submit(Database& database, const v1::SubmitJobRequest& request);
 
 v1::Job get_job(Database& database, std::int64_t job);
+/// The folder of its files among those of all jobs: its own, or that of the job whose answer it took over.
+std::filesystem::path files_of(const std::filesystem::path& jobs_directory, const v1::Job& job);
 v1::Scene get_scene(Database& database, std::int64_t job);
 bool exists(Database& database, std::int64_t job);
 
@@ -36,10 +39,11 @@ v1::ListJobsResponse list_jobs(Database& database, const v1::ListJobsRequest& re
 /// At most `limit` events after the one numbered `sequence`, in order.
 std::vector<v1::Event> events_after(Database& database, std::int64_t job, std::int64_t sequence, int limit);
 
-/// Forgets an ended job. Throws ServiceError FAILED_PRECONDITION if it has not ended.
-void remove_job(Database& database, std::int64_t job);
+/// Forgets an ended job, a study with its runs; returns the numbers of all that were removed. Throws
+/// ServiceError FAILED_PRECONDITION if it has not ended, or if it is a run of a study.
+std::vector<std::int64_t> remove_job(Database& database, std::int64_t job);
 
-/// A queued job is cancelled, a running one CANCELLING, any other left as it is.
+/// A queued job is cancelled, a running one CANCELLING, any other left as it is; so are all runs of a study.
 v1::Job cancel(Database& database, std::int64_t job, const std::string& reason);
 
 // What the functions above and the leases (store_leases.h) are made of.
@@ -49,7 +53,7 @@ void append_event(Database& database, v1::Job& job, v1::Event event);
 void append_message(Database& database, v1::Job& job, const std::string& message);
 /// Sets the state, with `started` and `ended`, and appends the event. Changes only `job`, not its row.
 void enter(Database& database, v1::Job& job, v1::JobState state);
-/// Writes `job` into its row.
+/// Writes `job` into its row; the study that it is a run of follows.
 void update(Database& database, const v1::Job& job);
 
 }  // namespace trajan::store

@@ -1,8 +1,11 @@
 #include "server/store_leases.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "server/errors.h"
+#include "server/store_answers.h"
+#include "server/store_findings.h"
 #include "server/store_jobs.h"
 
 namespace trajan::store {
@@ -40,10 +43,16 @@ std::optional<LeasedJob> find_leased(Database& database, LeaseNumbers lease) {
   return found;
 }
 
+Lease make_lease(const v1::Job& job, const std::string& worker, std::int64_t process_id) {
+  const std::int64_t study = job.parent_id().empty() ? 0 : job_number(job.parent_id());
+  const bool cancelling = job.state() == v1::CANCELLING;
+  return {job_number(job.job_id()), job.attempts(), worker, process_id, cancelling, study};
+}
+
 Lease read_lease(Statement& query) {
   v1::Job job;
   job.ParseFromString(query.text(1));
-  return {query.integer(0), job.attempts(), query.text(2), query.integer(3), job.state() == v1::CANCELLING};
+  return make_lease(job, query.text(2), query.integer(3));
 }
 
 void release_worker(Database& database, std::int64_t job) {
@@ -62,6 +71,14 @@ void wait_again(Database& database, v1::Job& job, const std::string& why) {
   enter(database, job, cancelling ? v1::CANCELLED : v1::QUEUED);
 }
 
+void add_cost(v1::Job& job, const v1::Cost& cost) {
+  const v1::Cost before = job.cost();
+  *job.mutable_cost() = cost;
+  job.mutable_cost()->set_core_seconds(before.core_seconds() + cost.core_seconds());
+  job.mutable_cost()->set_wall_seconds(before.wall_seconds() + cost.wall_seconds());
+  job.mutable_cost()->set_peak_memory_bytes(std::max(before.peak_memory_bytes(), cost.peak_memory_bytes()));
+}
+
 void apply_outcome(Database& database, v1::Job& job, const v1::CompleteRequest& request) {
   if (request.has_progress()) {
     *job.mutable_progress() = request.progress();
@@ -70,6 +87,7 @@ void apply_outcome(Database& database, v1::Job& job, const v1::CompleteRequest& 
     append_event(database, job, std::move(event));
   }
   if (request.has_result()) *job.mutable_result() = request.result();
+  if (request.has_cost()) add_cost(job, request.cost());
   switch (request.outcome_case()) {
     case v1::CompleteRequest::kSucceeded:
       *job.mutable_measures() = request.succeeded().measures();
@@ -109,8 +127,10 @@ std::optional<Lease> lease_next(Database& database, const std::string& worker, s
   }
   std::int64_t number = 0;
   {
-    Statement next =
-        database.prepare("SELECT job_id FROM jobs WHERE state = 1 ORDER BY priority DESC, job_id LIMIT 1");
+    Statement next = database.prepare(
+        "SELECT job_id FROM jobs AS waiting WHERE state = 1 AND is_study = 0 AND NOT (reuse AND EXISTS "
+        "(SELECT 1 FROM jobs AS equal WHERE equal.scene = waiting.scene AND equal.state IN (2, 3))) "
+        "ORDER BY priority DESC, job_id LIMIT 1");
     if (!next.step()) return std::nullopt;
     number = next.integer(0);
   }
@@ -120,7 +140,7 @@ std::optional<Lease> lease_next(Database& database, const std::string& worker, s
   update(database, job);
   Statement take = database.prepare("UPDATE jobs SET worker = ?, process_id = ? WHERE job_id = ?");
   take.bind(1, worker).bind(2, process_id).bind(3, number).run();
-  return Lease{number, job.attempts(), worker, process_id, false};
+  return make_lease(job, worker, process_id);
 }
 
 void record_report(Database& database, const v1::ReportRequest& report) {
@@ -146,8 +166,11 @@ void complete(Database& database, const v1::CompleteRequest& request) {
     throw_lost(request.lease_id());
   }
   apply_outcome(database, leased->job, request);
+  const bool succeeded = leased->job.state() == v1::SUCCEEDED;
+  if (succeeded) keep_findings(database, leased->job);
   update(database, leased->job);
   release_worker(database, numbers.job);
+  if (succeeded) answer_equal_scenes(database, leased->job);
 }
 
 void take_back(Database& database, const Lease& lease, const std::string& why) {

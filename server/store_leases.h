@@ -18,6 +18,7 @@ struct Lease {
   std::string worker;
   std::int64_t process_id = 0;  ///< 0 if the worker is not one of the server's own
   bool cancelling = false;
+  std::int64_t study = 0;  ///< that it is a run of, or 0
 };
 
 /// "12-3" for the third attempt of job 12.
@@ -26,8 +27,9 @@ std::string lease_id(const Lease& lease);
 /// All present leases.
 std::vector<Lease> leases(Database& database);
 
-/// Gives the worker the next job: highest priority, then first submitted. A worker that holds a lease
-/// (its answer was lost) gets the same again. Empty if no job waits.
+/// Gives the worker the next job: highest priority, then first submitted; but no run of a study while an equal
+/// scene is computed, whose answer it may take over. A worker that holds a lease (its answer was lost) gets the
+/// same again. Empty if no job waits.
 std::optional<Lease> lease_next(Database& database, const std::string& worker, std::int64_t process_id);
 
 // The following throw ServiceError NOT_FOUND if the lease is not a present one.

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "server/convert.h"
+#include "server/run_cost.h"
 #include "solver/measures/measure.h"
 #include "solver/results/results.h"
 
@@ -101,6 +102,7 @@ void compute(const v1::LeaseResponse& lease, int threads, LeaseKeeper& keeper, v
 std::optional<v1::CompleteRequest> run_job(const v1::LeaseResponse& lease, int threads, LeaseKeeper& keeper) {
   v1::CompleteRequest request;
   request.set_lease_id(lease.lease_id());
+  const RunCost cost(threads);
   try {
     compute(lease, threads, keeper, request);
     if (request.outcome_case() == v1::CompleteRequest::OUTCOME_NOT_SET) return std::nullopt;
@@ -113,6 +115,7 @@ std::optional<v1::CompleteRequest> run_job(const v1::LeaseResponse& lease, int t
     *request.mutable_failed() =
         make_failure("RESULT_IO", error.what(), "see that there is space and permission in " + lease.directory());
   }
+  *request.mutable_cost() = cost.so_far();
   return request;
 }
 

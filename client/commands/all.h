@@ -8,6 +8,7 @@ void declare_run(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_check(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_scenes(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_submit(CLI::App& app, const GlobalOptions& global, Action& action);
+void declare_sweep(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_watch(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_history(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_fetch(CLI::App& app, const GlobalOptions& global, Action& action);

@@ -11,6 +11,7 @@
 #include "client/outcome.h"
 #include "client/progress_display.h"
 #include "client/result_folder.h"
+#include "client/study.h"
 #include "client/terminal.h"
 
 namespace trajan::client {
@@ -50,7 +51,7 @@ ExitCode watch(const GlobalOptions& global, const Watch& asked) {
   if (asked.output == OutputFormat::jsonl) {
     return job.state() == v1::SUCCEEDED ? ExitCode::success : ExitCode::job_failed;
   }
-  return report_outcome(job);
+  return job.has_study() ? report_study(connection, job, OutputFormat::table) : report_outcome(job);
 }
 
 struct PrintHistory {

@@ -8,9 +8,11 @@
 #include "client/job_table.h"
 #include "client/load_scene.h"
 #include "client/progress_display.h"
+#include "client/study.h"
+#include "client/study_table.h"
 #include "client/submission.h"
-#include "client/suggestion.h"
 #include "client/terminal.h"
+#include "proto/suggestion.h"
 
 namespace trajan::client {
 namespace {
@@ -37,6 +39,8 @@ ExitCode submit(const GlobalOptions& global, const Submit& asked) {
 struct List {
   std::vector<std::string> states;
   std::vector<std::string> labels;
+  std::string study;
+  bool runs = false;
   int most = 50;
   OutputFormat output = OutputFormat::table;
 };
@@ -58,6 +62,8 @@ std::vector<v1::Job> list_jobs(Connection& connection, const List& asked) {
   for (const std::string& label : asked.labels) {
     (*request.mutable_labels())[label.substr(0, label.find('='))] = label.substr(label.find('=') + 1);
   }
+  request.set_parent_id(asked.study);
+  request.set_with_runs(asked.runs);
   std::vector<v1::Job> jobs;
   do {
     request.set_page_size(std::min(asked.most - static_cast<int>(jobs.size()), largest_page));
@@ -91,6 +97,11 @@ struct Show {
   OutputFormat output = OutputFormat::table;
 };
 
+void print_study(const v1::Study& study, OutputFormat output) {
+  if (output == OutputFormat::table) std::cout << describe_job(study.job()) << '\n';
+  print_study_table(std::cout, study, output);
+}
+
 void print_job(const v1::Job& job, OutputFormat output) {
   if (output != OutputFormat::table) {
     const v1::Job* pointer = &job;
@@ -114,6 +125,8 @@ ExitCode show(const GlobalOptions& global, const Show& asked) {
     std::cout << (asked.output == OutputFormat::table
                       ? text
                       : json_text(job.scene(), asked.output == OutputFormat::jsonl) + "\n");
+  } else if (job.has_study()) {
+    print_study(read_study(connection, job.job_id()), asked.output);
   } else if (asked.output == OutputFormat::json || asked.output == OutputFormat::jsonl) {
     std::cout << json_text(job, asked.output == OutputFormat::jsonl) << '\n';
   } else {
@@ -185,6 +198,8 @@ void declare_list(CLI::App& app, const GlobalOptions& global, Action& action) {
   app.add_option("--label", asked->labels, "Only jobs with this label; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
+  app.add_option("--study", asked->study, "Only the runs of this study")->type_name("JOB");
+  app.add_flag("--runs", asked->runs, "The runs of studies as well");
   app.add_option("-n,--most", asked->most, "List at most so many")->check(CLI::PositiveNumber);
   add_output_option(app, asked->output, {"table", "json", "jsonl", "csv"});
   set_action(app, global, action, asked, list);

@@ -9,7 +9,7 @@
 #include "client/gallery.h"
 #include "client/scene_text.h"
 #include "client/subprocess.h"
-#include "client/suggestion.h"
+#include "proto/suggestion.h"
 
 namespace trajan::client {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "client/commands/all.h"
 #include "client/history_picture.h"
-#include "client/suggestion.h"
+#include "proto/suggestion.h"
 
 namespace trajan::client {
 namespace {

@@ -246,6 +246,33 @@ def test_unknown_jobs_and_absent_servers_have_their_exit_codes(trajan, server):
     trajan("run", "cantilver", expect=4)
 
 
+def test_sweep_prints_a_table_and_answers_it_again_from_what_is_there(trajan, server):
+    arguments = ["sweep", "-", "--over", "analysis.end_time=0.5:1:2", "--over", "numerics.scheme=MUSL,USL", "-o", "csv"]
+    first = list(csv.DictReader(io.StringIO(trajan(*arguments, text=SCENE % 1).stdout)))
+    assert [(row["analysis.end_time"], row["numerics.scheme"]) for row in first] == [
+        ("0.5", "MUSL"), ("0.5", "USL"), ("1", "MUSL"), ("1", "USL")]
+    assert all(row["state"] == "succeeded" and float(row["core_seconds"]) > 0 for row in first)
+    again = list(csv.DictReader(io.StringIO(trajan(*arguments, text=SCENE % 1).stdout)))
+    assert [row["tip"] for row in again] == [row["tip"] for row in first]
+    assert [row["answered_by"] for row in again] == [row["job"] for row in first]
+    listed = [json.loads(line) for line in trajan("ls", "-o", "jsonl").stdout.splitlines()]
+    assert [job["study"]["kind"] for job in listed] == ["sweep", "sweep"]
+    study = listed[0]["job_id"]
+    assert len(trajan("ls", "--study", study, "-o", "jsonl").stdout.splitlines()) == 4
+    assert len(json.loads(trajan("show", study, "-o", "json").stdout)["runs"]) == 4
+    assert "TIP" in trajan("watch", study).stdout
+    trajan("rm", study)
+    trajan("show", study, expect=4)
+
+
+def test_a_sweep_with_mistakes_is_never_queued(trajan, server):
+    said = trajan("sweep", "-", "--over", "domain.cell_size=0.5,-1", "--detach", text=SCENE % 1, expect=2).stderr
+    assert "domain.cell_size=-1" in said
+    assert "not PATH=VALUES" in trajan("sweep", "-", "--over", "x", text=SCENE % 1, expect=2).stderr
+    assert "did you mean" in trajan("sweep", "-", "--over", "domain.cel_size=1", text=SCENE % 1, expect=2).stderr
+    assert json.loads(trajan("ls", "-o", "json").stdout).get("jobs", []) == []
+
+
 def test_plot_and_render_draw_pictures(trajan, server, tmp_path):
     job = submit(trajan)
     trajan("watch", job)

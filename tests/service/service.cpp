@@ -111,6 +111,7 @@ void Service::restart() {
   if (!ready.starts_with(prefix)) throw std::runtime_error("the server did not start");
   channel_ = grpc::CreateChannel(ready.substr(prefix.size()), grpc::InsecureChannelCredentials());
   jobs_ = v1::Jobs::NewStub(channel_);
+  studies_ = v1::Studies::NewStub(channel_);
 }
 
 Service::~Service() {
@@ -142,6 +143,33 @@ std::string Service::submit(const v1::Scene& scene) {
   const grpc::Status status = jobs_->SubmitJob(&context, request, &job);
   if (!status.ok()) throw std::runtime_error("submit: " + status.error_message());
   return job.job_id();
+}
+
+std::string Service::sweep(const v1::Scene& scene, const std::vector<double>& shares) {
+  v1::SubmitStudyRequest request;
+  *request.mutable_scene() = scene;
+  v1::Dial& dial = *request.mutable_sweep()->add_dials();
+  dial.set_name("share");
+  for (const double share : shares) {
+    v1::Setting& setting = *dial.add_settings();
+    setting.set_name(std::to_string(share));
+    setting.add_changes("analysis.end_time=" + std::to_string(share * scene.analysis().end_time()));
+  }
+  grpc::ClientContext context;
+  v1::Job job;
+  const grpc::Status status = studies_->SubmitStudy(&context, request, &job);
+  if (!status.ok()) throw std::runtime_error("submit: " + status.error_message());
+  return job.job_id();
+}
+
+v1::Study Service::study(const std::string& job) {
+  v1::GetStudyRequest request;
+  request.set_job_id(job);
+  grpc::ClientContext context;
+  v1::Study study;
+  const grpc::Status status = studies_->GetStudy(&context, request, &study);
+  if (!status.ok()) throw std::runtime_error("study: " + status.error_message());
+  return study;
 }
 
 v1::Job Service::get(const std::string& job) {

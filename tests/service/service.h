@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trajan/v1/jobs.grpc.pb.h"
+#include "trajan/v1/studies.grpc.pb.h"
 
 /// Real server processes in temporary directories, for tests that see them as any client does.
 namespace trajan::test {
@@ -67,6 +68,9 @@ class Service {
   std::vector<pid_t> workers() const;
 
   std::string submit(const v1::Scene& scene);
+  /// A sweep of a scene that ends after these shares of its time.
+  std::string sweep(const v1::Scene& scene, const std::vector<double>& shares);
+  v1::Study study(const std::string& job);
   v1::Job get(const std::string& job);
   /// Follows a job until `enough` says so or the stream ends, whose status is returned. Events are
   /// appended to `events`, and the last job message is put into `last`.
@@ -85,6 +89,7 @@ class Service {
   std::unique_ptr<Process> server_;
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
+  std::unique_ptr<v1::Studies::Stub> studies_;
 };
 
 /// The vibration of a short bar: some seconds of computing for a `length` of 1, also under a sanitizer.

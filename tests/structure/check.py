@@ -14,7 +14,7 @@ MAXIMUM_LINES = {".h": 150, ".cpp": 400}
 OWNERS = {
     r"(H5\w*|hdf5\w*)\.h$": ("solver/results/", "client/snapshot_file", "tests/"),
     r"sqlite3\.h$": ("server/store", "tests/"),
-    r"\.pb\.h$|^(grpcpp|google/protobuf)/": ("server/", "client/", "tests/"),
+    r"\.pb\.h$|^(grpcpp|google/protobuf)/": ("proto/", "server/", "client/", "tests/"),
     r"^server/": ("server/", "tests/"),
     r"^client/": ("client/", "tests/"),
     r"^solver/": ("solver/", "server/", "tests/"),
@@ -35,6 +35,7 @@ FORBIDDEN = {
     "solver/schemes/": r"^solver/(analyses|results|measures)/",
     "solver/implicit/": r"^solver/(analyses|results|measures)/",
     "solver/analyses/": r"^solver/(results|measures)/",
+    "solver/accuracy/": r"^solver/(?!accuracy/)",
     "solver/measures/": r"^solver/(?!measures/|model/|recorder\.h)",
     "solver/results/": r"^solver/(?!results/|model/|scene/|recorder\.h)",
 }

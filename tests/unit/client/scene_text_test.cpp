@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "client/diagnostics.h"
-#include "client/suggestion.h"
 #include "client/utf8.h"
+#include "proto/suggestion.h"
 
 namespace trajan::client {
 namespace {

@@ -1,11 +1,11 @@
-#include "client/suggestion.h"
+#include "proto/suggestion.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-namespace trajan::client {
+namespace trajan {
 
 int edit_distance(std::string_view a, std::string_view b) {
   const auto same = [](char x, char y) {
@@ -53,4 +53,4 @@ std::string suggest(std::string_view word, const std::vector<std::string>& candi
   return candidates.empty() ? std::string() : fmt::format("{} {}", otherwise, fmt::join(candidates, ", "));
 }
 
-}  // namespace trajan::client
+}  // namespace trajan

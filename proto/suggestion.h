@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace trajan::client {
+namespace trajan {
 
 /// Edits that turn one word into the other: insertions, deletions, substitutions and swaps of neighbours
 /// (optimal string alignment distance), without regard to case.
@@ -16,4 +16,4 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 /// "did you mean "x"?" if a candidate is near, otherwise `otherwise` followed by all candidates.
 std::string suggest(std::string_view word, const std::vector<std::string>& candidates, std::string_view otherwise);
 
-}  // namespace trajan::client
+}  // namespace trajan

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <chrono>
+
+#include "trajan/v1/jobs.pb.h"
+
+namespace trajan {
+
+/// What this process has spent since this object was made. One object at a time.
+class RunCost {
+ public:
+  explicit RunCost(int threads);
+  v1::Cost so_far() const;
+
+ private:
+  const int threads_;
+  const double processor_seconds_;
+  const std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace trajan

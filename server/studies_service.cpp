@@ -1,0 +1,43 @@
+#include "server/studies_service.h"
+
+#include "server/errors.h"
+#include "server/log.h"
+#include "server/status.h"
+#include "server/store_jobs.h"
+#include "server/study_plan.h"
+
+namespace trajan {
+
+void StudiesService::submit(const store::StudyPlan& plan, const v1::SubmitStudyRequest& request,
+                            v1::Job& response) {
+  store_.commit([&](store::Database& database) { response = store::submit_study(database, request, plan); });
+  logging::info("study submitted",
+                {{"job", response.job_id()}, {"kind", plan.kind}, {"runs", std::to_string(plan.runs.size())}});
+  scheduler_.assign();
+}
+
+grpc::ServerUnaryReactor* StudiesService::SubmitStudy(grpc::CallbackServerContext* context,
+                                                      const v1::SubmitStudyRequest* request, v1::Job* response) {
+  auto* reactor = context->DefaultReactor();
+  plans_.post([=, this] {
+    answer(*context, *reactor, [&] {
+      if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
+      submit(plan_study(*request), *request, *response);
+    });
+  });
+  return reactor;
+}
+
+grpc::ServerUnaryReactor* StudiesService::GetStudy(grpc::CallbackServerContext* context,
+                                                   const v1::GetStudyRequest* request, v1::Study* response) {
+  auto* reactor = context->DefaultReactor();
+  readers_.post([=, this] {
+    answer(*context, *reactor, [&] {
+      const std::int64_t study = store::job_number(request->job_id());
+      *response = store_.read([&](store::Database& database) { return store::get_study(database, study); });
+    });
+  });
+  return reactor;
+}
+
+}  // namespace trajan

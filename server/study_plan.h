@@ -1,0 +1,11 @@
+#pragma once
+
+#include "server/store_studies.h"
+
+namespace trajan {
+
+/// What the study will run. Throws ServiceError INVALID_ARGUMENT for dials that are not allowed, fields that do
+/// not exist, or scenes that have violations: all of them, each with the runs that it is of.
+store::StudyPlan plan_study(const v1::SubmitStudyRequest& request);
+
+}  // namespace trajan

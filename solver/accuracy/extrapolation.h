@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+/// What answers on grids of different cell sizes say of their errors.
+namespace trajan::accuracy {
+
+/// An answer on one grid, in any consistent units.
+struct Level {
+  double cell_size = 0;  ///< > 0
+  double value = 0;
+};
+
+enum class Behaviour {
+  monotone,        ///< differences have one sign and become smaller
+  oscillating,     ///< differences alternate and become smaller
+  not_converging,  ///< differences do not become smaller
+  constant         ///< differences are those of rounding
+};
+
+struct Estimate {
+  Behaviour behaviour = Behaviour::constant;
+  std::optional<double> order;         ///< observed, of the three finest levels
+  bool asymptotic = false;             ///< see below
+  std::optional<double> extrapolated;  ///< what smaller cells approach
+  std::optional<double> band;          ///< the finest value is within this distance of the exact one
+  std::string no_claim;                ///< why there is no band; empty if there is one
+};
+
+/// The order of displacements and frequencies in all schemes with lumped masses.
+inline constexpr double expected_order = 2;
+
+/// Safety factors of the grid convergence index (Roache 1998; Oberkampf and Roy 2010, section 8.6.3): inside the
+/// asymptotic range, and outside, where moreover the order is taken as 0.5 at least and the expected one at most.
+inline constexpr double asymptotic_factor = 1.25;
+inline constexpr double cautious_factor = 3;
+
+/// The order p of values phi = exact + C h^p, from the differences of three levels whose ratios need not be equal
+/// (Celik et al. 2008, equation 3, solved by bisection): (r32^p - 1) r21^p / (r21^p - 1) = |phi3 - phi2| / |phi2 -
+/// phi1|, where 1 is the finest. None if there is no p > 0.
+std::optional<double> observed_order(const Level& coarse, const Level& middle, const Level& fine);
+
+/// Richardson's extrapolation and the grid convergence index (ASME V&V 20-2009, section 2; Celik et al. 2008) of
+/// at least three levels, the coarsest first, cell sizes strictly decreasing. Asymptotic is what converges
+/// monotonically with an order within a tenth of the expected one, or, of four levels and more, with orders of the
+/// two finest triples within a tenth of each other. No claim is made of what does not converge, does so slower
+/// than with the order 0.5, does not change, or is not finite.
+Estimate estimate(std::span<const Level> levels);
+
+}  // namespace trajan::accuracy

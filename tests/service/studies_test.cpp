@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/service/service.h"
+
+namespace trajan::test {
+namespace {
+
+const std::vector<std::string> frequent_checkpoints = {"--checkpoint-interval", "0.2", "--lease", "5"};
+
+grpc::Status cancel(Service& service, const std::string& job) {
+  v1::CancelJobRequest request;
+  request.set_job_id(job);
+  grpc::ClientContext context;
+  v1::Job answer;
+  return service.jobs().CancelJob(&context, request, &answer);
+}
+
+TEST(Studies, run_to_their_end_with_a_table_and_an_event_for_every_run) {
+  Service service;
+  const std::string job = service.sweep(bar(0.001, 20), {1, 0.5});
+  std::vector<v1::Event> events;
+  v1::Job last;
+  ASSERT_TRUE(service.watch(job, events, last).ok());
+  EXPECT_EQ(last.state(), v1::SUCCEEDED) << last.ShortDebugString();
+  EXPECT_EQ(last.last_sequence(), std::ssize(events));
+  const v1::Study study = service.study(job);
+  ASSERT_EQ(study.runs_size(), 2);
+  for (const v1::Run& run : study.runs()) {
+    EXPECT_EQ(run.state(), v1::SUCCEEDED);
+    EXPECT_EQ(run.measures_size(), 1);
+    EXPECT_GT(run.cost().core_seconds(), 0);
+    EXPECT_GT(run.cost().peak_memory_bytes(), 1 << 20);
+    EXPECT_NE(run.cost().machine(), "");
+    EXPECT_EQ(service.get(run.job_id()).parent_id(), job);
+  }
+  EXPECT_NE(study.runs(0).measures(0).value(), study.runs(1).measures(0).value());
+}
+
+TEST(Studies, give_an_answer_with_its_files_without_computing_it_again) {
+  Service service;
+  const std::string first = service.sweep(bar(0.001, 20), {1});
+  service.wait(first);
+  const std::string computed = service.study(first).runs(0).job_id();
+  const std::string again = service.sweep(bar(0.001, 20), {1});
+  EXPECT_EQ(service.get(again).state(), v1::SUCCEEDED) << "at once";
+  const v1::Run run = service.study(again).runs(0);
+  EXPECT_EQ(run.answered_by(), computed);
+  EXPECT_EQ(service.get(run.job_id()).attempts(), 0);
+  EXPECT_EQ(service.history(run.job_id(), false), service.history(computed, false));
+}
+
+TEST(Studies, stop_all_of_their_runs_when_they_are_cancelled) {
+  Service service(frequent_checkpoints);
+  const std::string job = service.sweep(bar(1000), {1, 2});
+  const std::string running = service.study(job).runs(0).job_id();
+  service.wait_for_checkpoint(running);
+  EXPECT_TRUE(cancel(service, job).ok());
+  EXPECT_EQ(service.wait(job).state(), v1::CANCELLED);
+  const v1::Study study = service.study(job);
+  for (const v1::Run& run : study.runs()) EXPECT_EQ(run.state(), v1::CANCELLED);
+}
+
+TEST(StudiesKilled, go_on_where_they_were) {
+  Service service(frequent_checkpoints);
+  const std::string job = service.sweep(bar(), {0.001, 1, 0.002});
+  const std::string first = service.study(job).runs(0).job_id();
+  const std::string second = service.study(job).runs(1).job_id();
+  service.wait_for_checkpoint(second);
+  const v1::Job before = service.get(first);
+  EXPECT_EQ(before.state(), v1::SUCCEEDED);
+  service.server().send(SIGKILL);
+  service.server().wait();
+  for (const pid_t worker : service.workers()) kill(worker, SIGKILL);
+  ASSERT_TRUE(eventually([&] { return service.workers().empty(); }));
+  service.restart();
+  EXPECT_EQ(service.wait(job).state(), v1::SUCCEEDED);
+  EXPECT_EQ(service.get(first).ended().nanos(), before.ended().nanos()) << "what had ended was not run again";
+  EXPECT_EQ(service.get(second).attempts(), 2);
+  const v1::Study study = service.study(job);
+  for (const v1::Run& run : study.runs()) EXPECT_EQ(run.state(), v1::SUCCEEDED);
+}
+
+}  // namespace
+}  // namespace trajan::test

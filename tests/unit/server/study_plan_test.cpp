@@ -1,0 +1,110 @@
+#include "server/study_plan.h"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
+#include <gtest/gtest.h>
+
+#include "server/errors.h"
+
+namespace trajan {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+v1::SubmitStudyRequest bar() {
+  v1::SubmitStudyRequest request;
+  google::protobuf::TextFormat::ParseFromString(
+      R"(name: "bar" constants { name: "cell" value: "0.5" }
+         domain { dimension: BAR lower { x: 0 } upper { x: 12 } cell_size: 0.5 }
+         materials { name: "steel" density: 1 linear_elastic { youngs_modulus: 100 poissons_ratio: 0 } }
+         bodies { name: "bar" material: "steel" geometry { box { lower { x: 0 } upper { x: 10 } } } }
+         analysis { end_time: 1 } outputs { probes { name: "tip" nearest { x: 10 } fields: DISPLACEMENT } }
+         measures { name: "tip" quantity: "tip.displacement.x" final {} exact: "0" })",
+      request.mutable_scene());
+  return request;
+}
+
+void add_dial(v1::SubmitStudyRequest& request, const std::string& path, const std::vector<std::string>& values) {
+  v1::Dial& dial = *request.mutable_sweep()->add_dials();
+  dial.set_name(path);
+  for (const std::string& value : values) {
+    v1::Setting& setting = *dial.add_settings();
+    setting.set_name(value);
+    setting.add_changes(path + "=" + value);
+  }
+}
+
+v1::ErrorDetails refusal(const v1::SubmitStudyRequest& request) {
+  try {
+    plan_study(request);
+  } catch (const ServiceError& error) {
+    EXPECT_EQ(error.code(), grpc::StatusCode::INVALID_ARGUMENT);
+    return error.details();
+  }
+  ADD_FAILURE() << "it was not refused";
+  return {};
+}
+
+TEST(StudyPlan, HasAllCombinationsAndTheLastDialVariesFastest) {
+  v1::SubmitStudyRequest request = bar();
+  add_dial(request, "domain.cell_size", {"1", "0.5"});
+  add_dial(request, "numerics.scheme", {"MUSL", "USL", "TLMPM"});
+  const store::StudyPlan plan = plan_study(request);
+  ASSERT_EQ(plan.runs.size(), 6U);
+  EXPECT_THAT(plan.study.dials(), ElementsAre("domain.cell_size", "numerics.scheme"));
+  EXPECT_THAT(plan.runs[1].run.settings(), ElementsAre("1", "USL"));
+  EXPECT_EQ(plan.runs[1].scene.domain().cell_size(), 1);
+  EXPECT_EQ(plan.runs[1].scene.numerics().scheme(), "USL");
+  EXPECT_THAT(plan.runs[5].run.settings(), ElementsAre("0.5", "TLMPM"));
+}
+
+TEST(StudyPlan, ReportsTheViolationsOfAllRunsWithTheRunsThatHaveThem) {
+  v1::SubmitStudyRequest request = bar();
+  add_dial(request, "domain.cell_size", {"1", "-1"});
+  add_dial(request, "numerics.scheme", {"MUSL", "MISL"});
+  const v1::ErrorDetails details = refusal(request);
+  std::map<std::string, std::string> runs;
+  for (const v1::Violation& violation : details.violations()) runs[violation.path()] = violation.run();
+  EXPECT_EQ(runs["domain.cell_size"],
+            "domain.cell_size=-1, numerics.scheme=MUSL; domain.cell_size=-1, numerics.scheme=MISL");
+  EXPECT_THAT(runs["numerics.scheme"], HasSubstr("domain.cell_size=1, numerics.scheme=MISL"));
+}
+
+TEST(StudyPlan, ReportsWhatIsWrongWithTheSceneItselfOnce) {
+  v1::SubmitStudyRequest request = bar();
+  request.mutable_scene()->mutable_materials(0)->set_density(-1);
+  add_dial(request, "domain.cell_size", {"1", "0.5"});
+  const v1::ErrorDetails details = refusal(request);
+  ASSERT_EQ(details.violations_size(), 1);
+  EXPECT_EQ(details.violations(0).path(), "materials[0].density");
+  EXPECT_EQ(details.violations(0).run(), "");
+}
+
+TEST(StudyPlan, NamesFieldsThatDoNotExist) {
+  v1::SubmitStudyRequest request = bar();
+  add_dial(request, "domain.cell_sise", {"1"});
+  const v1::ErrorDetails details = refusal(request);
+  ASSERT_EQ(details.violations_size(), 1);
+  EXPECT_EQ(details.violations(0).path(), "domain.cell_sise");
+  EXPECT_THAT(details.violations(0).remedy(), HasSubstr("cell_size"));
+}
+
+TEST(StudyPlan, RefusesTooManyRunsAndDialsWithoutSense) {
+  v1::SubmitStudyRequest many = bar();
+  std::vector<std::string> values;
+  for (int i = 1; i <= 40; ++i) values.push_back(std::to_string(i));
+  add_dial(many, "domain.cell_size", values);
+  add_dial(many, "analysis.end_time", values);
+  EXPECT_EQ(refusal(many).reason(), "TOO_MANY_RUNS");
+  v1::SubmitStudyRequest twice = bar();
+  add_dial(twice, "domain.cell_size", {"1", "1"});
+  EXPECT_EQ(refusal(twice).reason(), "DIALS");
+  v1::SubmitStudyRequest none = bar();
+  EXPECT_EQ(refusal(none).reason(), "KIND");
+  none.mutable_sweep();
+  EXPECT_EQ(refusal(none).reason(), "DIALS");
+}
+
+}  // namespace
+}  // namespace trajan
