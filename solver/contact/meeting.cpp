@@ -12,12 +12,15 @@ namespace {
 constexpr double facing = 0.5;
 /// In cells: what lies deeper behind the foremost point of a surface is no part of it.
 constexpr double layer = 0.75;
+/// In cells from the line along the normal: what says how wide the gap is. Of every body some points, however few
+/// particles it has in a cell, and no more: means over curved gaps, as at a contact's end, make contacts narrower.
+constexpr double beside = 0.75;
 
 Components negative(const Components& v) { return {-v[0], -v[1], -v[2]}; }
 
-/// Falls smoothly to zero at the end of the neighbourhood.
-double weight(const Components& place) {
-  const double share = 1 - dot(place, place) / (nearby * nearby);
+/// Of what is this far away, squared: falls smoothly to zero.
+double weight(double square, double furthest) {
+  const double share = 1 - square / (furthest * furthest);
   return share > 0 ? share * share : 0;
 }
 
@@ -27,7 +30,7 @@ Components mean_normal(const NearbyParticles& near, const Components& along) {
   double weights = 0;
   for (const NearbyBoundary& point : near.boundary) {
     if (!(dot(point.normal, along) > facing)) continue;
-    const double w = weight(point.place);
+    const double w = weight(dot(point.place, point.place), nearby);
     weights += w;
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += w * point.normal[axis];
   }
@@ -35,7 +38,7 @@ Components mean_normal(const NearbyParticles& near, const Components& along) {
   return sum;
 }
 
-/// How far the surface that faces a direction is along it, in the mean.
+/// How far the surface that faces a direction is along it, in the mean over what is beside the node.
 double mean_reach(const NearbyParticles& near, const Components& along) {
   double foremost = -HUGE_VAL, sum = 0, weights = 0;
   for (const NearbyBoundary& point : near.boundary)
@@ -43,7 +46,7 @@ double mean_reach(const NearbyParticles& near, const Components& along) {
   for (const NearbyBoundary& point : near.boundary) {
     const double to = dot(point.place, along);
     if (!(dot(point.normal, along) > facing) || to < foremost - layer) continue;
-    const double w = weight(point.place);
+    const double w = weight(dot(point.place, point.place) - to * to, beside);
     weights += w;
     sum += w * to;
   }

@@ -6,6 +6,7 @@ import numpy as np
 
 import column_collapse
 import hanging_bar
+import hertz
 import radial
 import sliding_block
 import sphere_collision
@@ -122,6 +123,27 @@ class BlocksOnIncline(unittest.TestCase):
         acceleration = constant("blocks_on_incline", "acceleration")
         stated = acceleration * (1 / 4 - 1 / np.pi**2 + 1 / 2 + 1 / 2)
         self.assertAlmostEqual(sliding_block.ramped_distance(2.0), stated, delta=1e-7)
+
+
+class Hertz(unittest.TestCase):
+    def test_stresses_are_those_of_the_pressure_by_integration(self):
+        for place in ((0.05, 0.75), (0.7, 0.3), (1.4, 0.2)):
+            with self.subTest(place=place):
+                np.testing.assert_allclose(hertz.stresses(*place), hertz.stresses_by_integration(*place), rtol=1e-9)
+
+    def test_the_largest_shear_stress_is_where_johnson_says(self):
+        depth = np.linspace(0.5, 1.1, 601)
+        xx, yy, _ = hertz.stresses(1e-9, depth)
+        shear = (xx - yy) / 2
+        self.assertAlmostEqual(depth[shear.argmax()], 0.786, delta=1e-3)
+        self.assertAlmostEqual(shear.max() / (2 * hertz.FORCE / np.pi), 0.300, delta=5e-4)
+
+    def test_the_scene_states_them(self):
+        self.assertAlmostEqual(constant("hertz", "force"), hertz.FORCE, delta=1e-9)
+        for name, stress in hertz.reference().items():
+            with self.subTest(name=name):
+                # Six digits.
+                self.assertAlmostEqual(constant("hertz", name) / stress, 1, delta=2e-6)
 
 
 class SphereCollision(unittest.TestCase):
