@@ -7,6 +7,7 @@
 #include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 
 #include "solver/implicit/sparse_solver.h"
 
@@ -113,6 +114,12 @@ void collect(const Solver& solver, std::vector<Eigenmode>& modes) {
   for (Index i = 0; i < values.size(); ++i) modes.push_back({values[i], vectors.col(i), 0, false});
 }
 
+/// The Lanczos vectors are not finite.
+class Breakdown : public NoModes {
+ public:
+  using NoModes::NoModes;
+};
+
 std::vector<Eigenmode> nearest_zero(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count,
                                     double shift, const Interruption& interruption) {
   ShiftInvert inverse(stiffness, mass, interruption);
@@ -120,11 +127,27 @@ std::vector<Eigenmode> nearest_zero(const SparseMatrix& stiffness, const SparseM
   Spectra::SymGEigsShiftSolver<ShiftInvert, Spectra::SparseSymMatProd<double>, Spectra::GEigsMode::ShiftInvert>
       solver(inverse, product, count, subspace(count, stiffness.rows()), shift);
   solver.init();
-  solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance, Spectra::SortRule::SmallestAlge);
+  try {
+    solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance, Spectra::SortRule::SmallestAlge);
+  } catch (const std::runtime_error& error) {
+    // Spectra has no type of its own for it.
+    if (typeid(error) == typeid(std::runtime_error)) throw Breakdown(error.what());
+    throw;
+  }
   if (solver.info() != Spectra::CompInfo::Successful) throw NoModes("the Lanczos iteration does not converge");
   std::vector<Eigenmode> modes;
   collect(solver, modes);
   return modes;
+}
+
+/// The stiffness with next to nothing of the lumped mass on its diagonal. Where particles are fewer than nodes,
+/// grids have motions that no particle feels, without mass and without stiffness, and any multiple of them may be
+/// in a mode.
+SparseMatrix without_idle_motions(const SparseMatrix& stiffness, const SparseMatrix& mass, double scale) {
+  constexpr double share = 1e-13;
+  SparseMatrix held = stiffness;
+  held.diagonal() += share * scale * (mass * VectorXd::Ones(mass.rows()));
+  return held;
 }
 
 void finish(std::vector<Eigenmode>& modes, const SparseMatrix& stiffness, const SparseMatrix& mass, double scale) {
@@ -138,14 +161,10 @@ void finish(std::vector<Eigenmode>& modes, const SparseMatrix& stiffness, const 
   std::ranges::sort(modes, {}, &Eigenmode::value);
 }
 
-}  // namespace
-
-std::vector<Eigenmode> lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
-                                    const Interruption& interruption) {
+std::vector<Eigenmode> search(const SparseMatrix& stiffness, const SparseMatrix& mass, Index wanted, double scale,
+                              const Interruption& interruption) {
   const Index rows = stiffness.rows();
-  Index wanted = std::min<Index>(count, rows - 1);
-  if (wanted < 1) throw NoModes("nothing is free to move");
-  const double scale = value_scale(stiffness, mass), shift = shift_share * scale;
+  const double shift = shift_share * scale;
   std::vector<Eigenmode> modes;
   for (int attempt = 0; attempt < 3; ++attempt) {
     modes = nearest_zero(stiffness, mass, wanted, -shift, interruption);
@@ -156,6 +175,25 @@ std::vector<Eigenmode> lowest_modes(const SparseMatrix& stiffness, const SparseM
         std::ranges::count_if(modes, [&](const Eigenmode& m) { return m.value < last * (1 - 1e-6) - shift; });
     if (below <= found || wanted == rows - 1) break;
     wanted = std::min<Index>(wanted + below - found, rows - 1);
+  }
+  return modes;
+}
+
+}  // namespace
+
+std::vector<Eigenmode> lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
+                                    const Interruption& interruption) {
+  const Index rows = stiffness.rows(), wanted = std::min<Index>(count, rows - 1);
+  if (wanted < 1) throw NoModes("nothing is free to move");
+  const double scale = value_scale(stiffness, mass);
+  std::vector<Eigenmode> modes;
+  try {
+    modes = search(stiffness, mass, wanted, scale, interruption);
+  } catch (const Breakdown&) {
+    modes = search(without_idle_motions(stiffness, mass, scale), mass, wanted, scale, interruption);
+    // Rayleigh's quotient is off by the square of what the shape is.
+    for (Eigenmode& mode : modes) mode.value = mode.shape.dot(stiffness * mode.shape);
+    finish(modes, stiffness, mass, scale);
   }
   if (static_cast<int>(modes.size()) > count) modes.resize(static_cast<std::size_t>(count));
   return modes;

@@ -83,6 +83,24 @@ TEST(Modes, OfAFreeBodyBeginWithItsThreeRigidMotions) {
   EXPECT_GT(answer.memory.rows.at(4)[column(model, "modes.frequency")], 0.1);
 }
 
+// With one particle in a cell the grid has motions that no particle feels, without mass and without stiffness.
+TEST(Modes, AreFoundWithOneParticleInACell) {
+  Scene scene = pulled("TLMPM", Modal{});
+  scene.domain = {Dimension::plane_stress, {0, -1}, {8, 2}, 0.25, {}};
+  scene.materials = {material("linear_elastic", 3000, 0.3, 1)};
+  scene.bodies = {{"block", "solid", Box{{0, 0}, {8, 1}}, 1, {}}};
+  scene.boundaries = {{"left", Box{{0, -1}, {0, 2}}, Fixed{{Axis::y}}},
+                      {"right", Box{{8, -1}, {8, 2}}, Fixed{{Axis::y}}}};
+  scene.loads.clear();
+  const Model model = validate(scene);
+  const Answer answer = solve(model);
+  ASSERT_EQ(answer.result.end, RunEnd::finished);
+  // Rayleigh and Lamb; one point in each of n = 4 layers takes 1 / n^2 of the inertia of bending, half of that
+  // from the frequency.
+  EXPECT_NEAR(answer.memory.rows.at(2)[column(model, "modes.frequency")], 0.378553 * (1 - 1 / 32.0),
+              0.01 * 0.3786);
+}
+
 TEST(Modes, AreSearchedForUntilSomebodyStopsTheRun) {
   Memory memory;
   const RunResult result =
