@@ -18,7 +18,7 @@ void HingeCondition::prepare(const Kick& kick) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::optional<Formula>& u = surface_.displacement[axis];
     if (!u) continue;
-    velocity_[axis] = velocities_.of(*u, true, {}, kick).after;
+    velocity_[axis] = velocities_.of(*u, true, {}, kick);
     moved_[axis] = (*u)({}, kick.time + kick.drift);
   }
 }
@@ -27,11 +27,11 @@ Reaction HingeCondition::act(Tiles& tiles, const HeldComponents& held) {
   Reaction reaction;
   for (int axis = 0; axis < axes_; ++axis) {
     if (!surface_.held[static_cast<std::size_t>(axis)]) continue;
+    const PrescribedVelocities::Value& wanted = velocity_[static_cast<std::size_t>(axis)];
     for (const SurfaceMean& part : means_) {
-      const Mean now = mean(tiles, held, part, node_velocity, axis);
-      if (!(now.inverse_mass > 0)) continue;
-      const double impulse = (velocity_[static_cast<std::size_t>(axis)] - now.velocity) / now.inverse_mass;
-      const Pushed pushed = push(tiles, held, part, axis, impulse, kick_);
+      give(tiles, held, part, node_velocity, axis, wanted.after);
+      const double force = give(tiles, held, part, node_acceleration, axis, wanted.acceleration);
+      const Pushed pushed = account(tiles, held, part, axis, kick_ * force, kick_);
       reaction.work += pushed.work;
       reaction.impulse[static_cast<std::size_t>(axis)] += pushed.impulse;
     }
@@ -42,12 +42,8 @@ Reaction HingeCondition::act(Tiles& tiles, const HeldComponents& held) {
 void HingeCondition::act_on_mapped(Tiles& tiles, const HeldComponents& held) const {
   for (int axis = 0; axis < axes_; ++axis) {
     if (!surface_.held[static_cast<std::size_t>(axis)]) continue;
-    for (const SurfaceMean& part : means_) {
-      const Mean now = mean(tiles, held, part, node_mapped_velocity, axis);
-      if (now.inverse_mass > 0)
-        push_mapped(tiles, held, part, axis,
-                    (velocity_[static_cast<std::size_t>(axis)] - now.velocity) / now.inverse_mass);
-    }
+    for (const SurfaceMean& part : means_)
+      give(tiles, held, part, node_mapped_velocity, axis, velocity_[static_cast<std::size_t>(axis)].after);
   }
 }
 

@@ -5,8 +5,11 @@
 
 namespace trajan {
 
-/// Gives means of a surface's velocity, each by the one impulse that does it: the constrained motion of least
-/// kinetic energy change, without penalty and whatever the place of the nodes.
+/// Gives means of a surface's acceleration and velocity, each by the one impulse that does it: the constrained
+/// motion of least kinetic energy change, without penalty and whatever the place of the nodes. Both are given, as
+/// on nodes: with the mass matrix M, weights c and P = 1 - c c^T / (c^T M^-1 c) M^-1 particles gain f^T P^T v from
+/// the forces f and the velocity v that they map, and deform by P^T v. An impulse that also removed c^T v, which
+/// mapping alone has made, would take energy in every step.
 class HingeCondition : public SurfaceCondition {
  public:
   static void make(const Model& model, std::vector<std::unique_ptr<SurfaceCondition>>& conditions);
@@ -22,8 +25,8 @@ class HingeCondition : public SurfaceCondition {
   const HeldSurface& surface_;
   PrescribedVelocities velocities_;
   double kick_ = 0;
-  std::array<double, 3> velocity_{};  ///< after the kick
-  std::array<double, 3> moved_{};     ///< displacement after the drift
+  std::array<PrescribedVelocities::Value, 3> velocity_{};
+  std::array<double, 3> moved_{};  ///< displacement after the drift
 };
 
 }  // namespace trajan

@@ -14,7 +14,7 @@ constexpr double least_share = 1e-6;
 SurfaceCondition::SurfaceCondition(const Model& model, std::size_t condition,
                                    const std::vector<SurfacePoint>& points, int normal, bool mean)
     : axes_(grid_axes(model.dimension)),
-      riders_(model, points, false),
+      riders_(model, points, false, point_functions(model.numerics.shape_functions)),
       condition_(condition),
       normal_(normal),
       mean_(mean) {}
@@ -37,12 +37,14 @@ void SurfaceCondition::find_nodes(const std::vector<BodyParticles>& bodies, cons
 void SurfaceCondition::share(const Tiles& tiles, const Riders::Stencil& stencil, double area) {
   const Layout& layout = tiles.layout();
   Riders::Stencil s = stencil;
-  // Along the surface a point has no need to be outside its carrier's cell, and weights stay positive.
-  for (int axis = 0; axis < axes_; ++axis)
-    if (axis != normal_) s.of_point[axis] = std::clamp(s.of_point[axis], 0.0, 1.0);
-  const std::array<double, 8> weights = riders_.weights(s.of_point);
+  // Along the surface a point that stands for lines of nodes has no need to be where its carrier's polynomials
+  // have ended, and weights stay positive.
+  for (int axis = 0; axis < axes_ && !mean_; ++axis)
+    if (axis != normal_)
+      s.of_point[axis] = std::clamp(s.of_point[axis], riders_.functions().lowest, riders_.functions().highest);
+  const Riders::Values weights = riders_.weights(s, s.of_point);
   for (int n = 0; n < riders_.corners(); ++n) {
-    const Riders::Owner at = riders_.owner(tiles, s.tile, s.node + riders_.corner(layout, n));
+    const Riders::Owner at = riders_.owner(tiles, s.tile, s.node + riders_.corner(n));
     std::int64_t line = 0;
     for (int axis = 0; !mean_ && axis < axes_; ++axis) {
       if (axis == normal_) continue;
@@ -98,31 +100,44 @@ SurfaceCondition::Mean SurfaceCondition::mean(const Tiles& tiles, const HeldComp
   return mean;
 }
 
+void SurfaceCondition::add(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, NodeVector vector,
+                           int axis, double impulse) const {
+  for (std::uint32_t n = to.begin; n < to.end; ++n) {
+    const SurfaceNode& at = nodes_[n];
+    tiles.nodes(at.tile)[quantity(vector, axis, axes_) * tile_nodes + at.node] +=
+        impulse * at.weight * inverse_mass(tiles, held, at, axis);
+  }
+}
+
+double SurfaceCondition::give(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, NodeVector vector,
+                              int axis, double value) const {
+  const Mean now = mean(tiles, held, to, vector, axis);
+  if (!(now.inverse_mass > 0)) return 0;
+  const double impulse = (value - now.velocity) / now.inverse_mass;
+  add(tiles, held, to, vector, axis, impulse);
+  return impulse;
+}
+
 SurfaceCondition::Pushed SurfaceCondition::push(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to,
                                                 int axis, double impulse, double kick) const {
+  add(tiles, held, to, node_velocity, axis, impulse);
+  add(tiles, held, to, node_acceleration, axis, impulse / kick);
+  return account(tiles, held, to, axis, impulse, kick);
+}
+
+SurfaceCondition::Pushed SurfaceCondition::account(const Tiles& tiles, const HeldComponents& held,
+                                                   const SurfaceMean& to, int axis, double impulse,
+                                                   double kick) const {
   Pushed pushed;
   for (std::uint32_t n = to.begin; n < to.end; ++n) {
     const SurfaceNode& at = nodes_[n];
-    double& a = tiles.nodes(at.tile)[quantity(node_acceleration, axis, axes_) * tile_nodes + at.node];
-    double& v = tiles.nodes(at.tile)[quantity(node_velocity, axis, axes_) * tile_nodes + at.node];
-    const double inverse = inverse_mass(tiles, held, at, axis);
-    if (inverse == 0) continue;
-    const double share = impulse * at.weight;
-    a += share * inverse / kick;
-    v += share * inverse;
-    pushed.impulse += share;
-    pushed.work += share * (v - 0.5 * kick * a);
+    if (inverse_mass(tiles, held, at, axis) == 0) continue;
+    const double a = tiles.nodes(at.tile)[quantity(node_acceleration, axis, axes_) * tile_nodes + at.node];
+    const double v = tiles.nodes(at.tile)[quantity(node_velocity, axis, axes_) * tile_nodes + at.node];
+    pushed.impulse += impulse * at.weight;
+    pushed.work += impulse * at.weight * (v - 0.5 * kick * a);
   }
   return pushed;
-}
-
-void SurfaceCondition::push_mapped(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,
-                                   double impulse) const {
-  for (std::uint32_t n = to.begin; n < to.end; ++n) {
-    const SurfaceNode& at = nodes_[n];
-    tiles.nodes(at.tile)[quantity(node_mapped_velocity, axis, axes_) * tile_nodes + at.node] +=
-        impulse * at.weight * inverse_mass(tiles, held, at, axis);
-  }
 }
 
 }  // namespace trajan

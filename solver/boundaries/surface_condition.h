@@ -69,8 +69,13 @@ class SurfaceCondition {
   /// Adds an impulse along an axis to accelerations and velocities.
   Pushed push(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis, double impulse,
               double kick) const;
-  void push_mapped(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis,
-                   double impulse) const;
+  /// Changes what the nodes hold as `vector` so that its mean along an axis is a value. What was added is the
+  /// mean's impulse, or force, and 0 if nothing can move.
+  double give(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, NodeVector vector, int axis,
+              double value) const;
+  /// What an impulse has done that is in accelerations and velocities already.
+  Pushed account(const Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, int axis, double impulse,
+                 double kick) const;
 
   std::span<const SurfaceNode> nodes_of(const SurfaceMean& mean) const {
     return {nodes_.data() + mean.begin, nodes_.data() + mean.end};
@@ -88,6 +93,8 @@ class SurfaceCondition {
   void share(const Tiles& tiles, const Riders::Stencil& stencil, double area);
   void collect();
   double inverse_mass(const Tiles& tiles, const HeldComponents& held, const SurfaceNode& at, int axis) const;
+  void add(Tiles& tiles, const HeldComponents& held, const SurfaceMean& to, NodeVector vector, int axis,
+           double impulse) const;
 
   std::size_t condition_;
   int normal_;

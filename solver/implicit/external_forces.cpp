@@ -15,19 +15,18 @@ Components product(const Components& a, const Components& b) {
 /// The nodes around a surface point: numbers (-1: no particle sees it), weights and their derivatives.
 struct PointStencil {
   int count;
-  std::array<std::int32_t, 8> nodes;
-  std::array<double, 8> weights;
-  std::array<std::array<double, 8>, 3> slopes;
+  std::array<std::int32_t, std::tuple_size_v<Riders::Values>> nodes;
+  Riders::Values weights;
+  std::array<Riders::Values, 3> slopes;
 
   PointStencil(const Discretization& on, const Riders& riders, const Executor& executor, std::size_t p)
       : count(riders.corners()) {
     const Riders::Stencil stencil = riders.stencil(executor.tiles(), executor.bodies(), p);
-    weights = riders.weights(stencil.of_point);
+    weights = riders.weights(stencil, stencil.of_point);
     for (int axis = 0; axis < on.axes(); ++axis)
-      slopes[static_cast<std::size_t>(axis)] = riders.slopes(stencil.of_point, axis);
+      slopes[static_cast<std::size_t>(axis)] = riders.slopes(stencil, stencil.of_point, axis);
     for (int n = 0; n < count; ++n) {
-      const Riders::Owner owner =
-          riders.owner(executor.tiles(), stencil.tile, stencil.node + riders.corner(executor.tiles().layout(), n));
+      const Riders::Owner owner = riders.owner(executor.tiles(), stencil.tile, stencil.node + riders.corner(n));
       nodes[static_cast<std::size_t>(n)] = on.number(owner.tile, owner.node);
     }
   }

@@ -3,12 +3,21 @@
 #include "solver/simulation/particles.h"
 
 namespace trajan {
+namespace {
+
+/// USL takes gradients of velocities after forces, and what a load gives to a node that the edge's particles
+/// hardly reach would tear them. Linear functions reach no such nodes where wide ones do.
+const PointFunctions& functions_for(const Numerics& numerics) {
+  return point_functions(numerics.scheme == "USL" ? "linear" : numerics.shape_functions);
+}
+
+}  // namespace
 
 Loads::Loads(const Model& model)
     : model_(model), axes_(grid_axes(model.dimension)), fields_(model), factors_(model.surface_loads.size()) {
   for (const SurfaceLoad& load : model.surface_loads) {
     std::vector<SurfacePoint> points(load.points.begin(), load.points.end());
-    riders_.emplace_back(model, std::move(points), load.follows);
+    riders_.emplace_back(model, std::move(points), load.follows, functions_for(model.numerics));
   }
 }
 
@@ -42,11 +51,11 @@ void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) const
         force = {-point.pressure * area.x, -point.pressure * area.y, -point.pressure * area.z};
       }
       const Riders::Stencil s = riders_[i].stencil(tiles, bodies, p);
-      const std::array<double, 8> weights = riders_[i].weights(s.of_point);
+      const Riders::Values weights = riders_[i].weights(s, s.of_point);
       for (int axis = 0; axis < axes_; ++axis) {
         double* sums = &tiles.sums(s.tile)[quantity(sum_load, axis, axes_) * layout.window_nodes + s.node];
         for (int n = 0; n < riders_[i].corners(); ++n)
-          sums[riders_[i].corner(layout, n)] += weights[n] * factors_[i] * component(force, axis);
+          sums[riders_[i].corner(n)] += weights[n] * factors_[i] * component(force, axis);
       }
     }
   }

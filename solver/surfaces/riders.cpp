@@ -7,6 +7,21 @@
 #include "solver/simulation/particles.h"
 
 namespace trajan {
+namespace {
+
+/// In cells: a carrier where other polynomials begin takes those further inside the body. Of the others one
+/// belongs to a node that it does not see.
+constexpr double at_joint = 1e-9;
+
+Vector inward(const SurfacePoint& point) {
+  const Vector &s = point.tangents[0], &t = point.tangents[1];
+  const Vector n{s.y * t.z - s.z * t.y, s.z * t.x - s.x * t.z, s.x * t.y - s.y * t.x};
+  const double length = std::hypot(n.x, n.y, n.z);
+  if (!(length > 0)) return {};
+  return {-at_joint * n.x / length, -at_joint * n.y / length, -at_joint * n.z / length};
+}
+
+}  // namespace
 
 std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Model& model,
                              const std::vector<std::int64_t>& numbers) {
@@ -26,8 +41,9 @@ std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Mod
   return slots;
 }
 
-Riders::Riders(const Model& model, std::vector<SurfacePoint> points, bool follow)
+Riders::Riders(const Model& model, std::vector<SurfacePoint> points, bool follow, const PointFunctions& functions)
     : model_(model),
+      functions_(functions),
       axes_(grid_axes(model.dimension)),
       total_lagrangian_(find_scheme(model.numerics.scheme)->total_lagrangian),
       follow_(follow),
@@ -35,6 +51,7 @@ Riders::Riders(const Model& model, std::vector<SurfacePoint> points, bool follow
       stride_(follow ? 12 : 3) {
   for (const SurfacePoint& point : points_) {
     const Vector& at = point.position;
+    inward_.push_back(inward(point));
     state_.insert(state_.end(), {at.x, at.y, at.z});
     if (!follow) continue;
     state_.insert(state_.end(), {at.x, at.y, at.z});
@@ -47,6 +64,7 @@ void Riders::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) 
   for (const SurfacePoint& point : points_) numbers.push_back(point.carrier);
   carriers_ = find_slots(bodies, model_, numbers);
   tiles_.assign(carriers_.size(), 0);
+  find_corners(tiles.layout());
   if (carriers_.empty()) return;
   // Blocks by body and first particle, to find a slot's tile.
   struct Start {
@@ -67,29 +85,38 @@ void Riders::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) 
   }
 }
 
-std::array<double, 8> Riders::weights(const double (&place)[3]) const {
-  std::array<double, 8> weights;
-  for (unsigned n = 0; n < weights.size(); ++n) {
-    weights[n] = n >> axes_ ? 0.0 : 1.0;
-    for (int axis = 0; axis < axes_; ++axis) weights[n] *= n >> axis & 1u ? place[axis] : 1 - place[axis];
+void Riders::find_corners(const Layout& layout) {
+  corners_ = {0};
+  for (int axis = 0; axis < axes_; ++axis) {
+    const std::vector<int> before = corners_;
+    for (int n = 1; n < functions_.nodes; ++n)
+      for (const int at : before) corners_.push_back(at + n * layout.window_stride(axis));
   }
-  return weights;
 }
 
-std::array<double, 8> Riders::slopes(const double (&place)[3], int along) const {
-  std::array<double, 8> slopes;
-  for (unsigned n = 0; n < slopes.size(); ++n) {
-    slopes[n] = n >> axes_ ? 0.0 : (n >> along & 1u ? 1.0 : -1.0) / model_.grid.cell;
-    for (int axis = 0; axis < axes_; ++axis)
-      if (axis != along) slopes[n] *= n >> axis & 1u ? place[axis] : 1 - place[axis];
-  }
-  return slopes;
+Riders::Values Riders::weights(const Stencil& stencil, const double (&place)[3]) const {
+  return product(stencil, place, -1);
 }
 
-int Riders::corner(const Layout& layout, int n) const {
-  int at = 0;
-  for (int axis = 0; axis < axes_; ++axis) at += (n >> axis & 1) * layout.window_stride(axis);
-  return at;
+Riders::Values Riders::slopes(const Stencil& stencil, const double (&place)[3], int axis) const {
+  return product(stencil, place, axis);
+}
+
+/// Functions along the axes, or of one of them the derivative, multiplied for each node.
+Riders::Values Riders::product(const Stencil& stencil, const double (&place)[3], int sloped) const {
+  Values values;
+  values[0] = sloped < 0 ? 1 : 1 / model_.grid.cell;
+  std::size_t count = 1;
+  for (int axis = 0; axis < axes_; ++axis) {
+    double weight[most_nodes_along], slope[most_nodes_along];
+    functions_.weigh(place[axis], weight, slope);
+    double* along = axis == sloped ? slope : weight;
+    fold(functions_, stencil.below[axis], stencil.above[axis], along);
+    for (auto n = static_cast<std::size_t>(functions_.nodes); n-- > 0;)
+      for (std::size_t k = 0; k < count; ++k) values[n * count + k] = values[k] * along[n];
+    count *= static_cast<std::size_t>(functions_.nodes);
+  }
+  return values;
 }
 
 Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
@@ -97,22 +124,35 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
   const Tile& tile = tiles.tiles()[tiles_[p]];
   const Layout& layout = tiles.layout();
   const BodyParticles& body = bodies[carriers_[p].body];
-  Stencil stencil{tiles_[p], layout.corner_offset()};
+  Stencil stencil{tiles_[p], 0};
   for (int axis = 0; axis < axes_; ++axis) {
     const double origin = component(model_.grid.origin, axis);
     const double at = body.component(Attribute::position_x, axis)[carriers_[p].index];
-    double first = layout.side * static_cast<double>(tile.at[axis]) - 1;
-    double c = (at - origin) / model_.grid.cell - first;
-    if (const int period = tiles.period(axis); period > 0) {
-      const double passed = period * std::floor((c - tile.cells.lowest[axis]) / period);
+    // In cells from the window's first node.
+    double first = layout.side * static_cast<double>(tile.at[axis]) - layout.below;
+    double carrier = (at - origin) / model_.grid.cell - first;
+    const int period = tiles.period(axis);
+    if (period > 0) {
+      const double passed = period * std::floor((carrier + 1 - layout.below - tile.cells.lowest[axis]) / period);
       first += passed;
-      c -= passed;
+      carrier -= passed;
     }
-    const int cell = static_cast<int>(c);
-    stencil.of_carrier[axis] = c - cell;
-    stencil.of_point[axis] =
-        (state_[stride_ * p + static_cast<std::size_t>(axis)] - origin) / model_.grid.cell - first - cell;
-    stencil.node += cell * layout.window_stride(axis);
+    const double point =
+        (state_[stride_ * p + static_cast<std::size_t>(axis)] - origin) / model_.grid.cell - first;
+    // Nodes exist around the cells in which the tile's particles may be.
+    const double lowest = tile.cells.lowest[axis] + layout.below - 1;
+    const double highest = tile.cells.highest[axis] + layout.below - 1e-9;
+    const double inner = carrier + component(inward_[p], axis);
+    const int node = functions_.first_node(std::max(lowest, std::min(inner, highest)));
+    stencil.of_carrier[axis] = carrier - node;
+    stencil.of_point[axis] = point - node;
+    stencil.node += node * layout.window_stride(axis);
+    if (period > 0 || !functions_.folds) continue;
+    const auto on_grid = static_cast<std::int64_t>(first) + node;
+    const std::int64_t last = model_.grid.cells()[static_cast<std::size_t>(axis)];
+    stencil.below[axis] = static_cast<int>(std::clamp<std::int64_t>(-on_grid, 0, functions_.nodes));
+    stencil.above[axis] =
+        static_cast<int>(std::clamp<std::int64_t>(on_grid + functions_.nodes - 1 - last, 0, functions_.nodes));
   }
   return stencil;
 }
@@ -151,12 +191,12 @@ void Riders::displace(const Tiles& tiles, const std::vector<BodyParticles>& bodi
 }
 
 void Riders::advect(const Tiles& tiles, const Stencil& s, std::size_t p, double drift) {
-  const std::array<double, 8> of_carrier = weights(s.of_carrier), of_point = weights(s.of_point);
-  std::array<double, 8> slope[3];
-  for (int axis = 0; follow_ && axis < axes_; ++axis) slope[axis] = slopes(s.of_point, axis);
+  const Values of_carrier = weights(s, s.of_carrier), of_point = weights(s, s.of_point);
+  Values slope[3];
+  for (int axis = 0; follow_ && axis < axes_; ++axis) slope[axis] = slopes(s, s.of_point, axis);
   double velocity[3] = {}, gradient[3][3] = {};
   for (int n = 0; n < corners(); ++n) {
-    const Owner at = owner(tiles, s.tile, s.node + corner(tiles.layout(), n));
+    const Owner at = owner(tiles, s.tile, s.node + corner(n));
     const double* nodes = tiles.nodes(at.tile) + at.node;
     for (int axis = 0; axis < axes_; ++axis) {
       const double mapped = nodes[quantity(node_mapped_velocity, axis, axes_) * tile_nodes];

@@ -6,6 +6,7 @@
 
 #include "solver/executors/tiles.h"
 #include "solver/model/model.h"
+#include "solver/surfaces/point_functions.h"
 
 namespace trajan {
 
@@ -24,13 +25,13 @@ std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Mod
 /// A component of a vector by its axis.
 inline double component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// Surface points that ride on carrier particles. What they do to the grid goes to the nodes of the carrier's
-/// cell with the multilinear polynomials of that cell, evaluated at the point, so that resultant and moment
-/// are exact wherever the point is, and only nodes with mass are touched.
+/// Surface points that ride on carrier particles. What they do to the grid goes to the carrier's nodes with the
+/// polynomials that the shape functions are where the carrier is, evaluated at the point, so that resultant and
+/// moment are exact wherever the point is, and only nodes with mass are touched.
 class Riders {
  public:
-  /// With `follow` the points' tangents are carried along too.
-  Riders(const Model& model, std::vector<SurfacePoint> points, bool follow);
+  /// With `follow` the points' tangents are carried along too. `functions` live as long.
+  Riders(const Model& model, std::vector<SurfacePoint> points, bool follow, const PointFunctions& functions);
 
   /// Stencils stay with the reference positions.
   bool total_lagrangian() const { return total_lagrangian_; }
@@ -61,26 +62,30 @@ class Riders {
   /// Outward normal times area, now, thickness included; axisymmetric: times the radius.
   Vector area(std::size_t p) const;
 
-  /// The carrier's cell by its first node in its tile's window, and the place in it.
+  /// The carrier's nodes by the first one in its tile's window, and the places from there, in cells.
   struct Stencil {
     std::uint32_t tile;
     int node;
     double of_carrier[3] = {}, of_point[3] = {};
+    int below[3] = {}, above[3] = {};  ///< how many of the nodes lie beyond a face of the domain
   };
   Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p) const;
-  /// Multilinear polynomials of a cell's nodes at a place in it, in the order of their indices.
-  std::array<double, 8> weights(const double (&place)[3]) const;
+  /// One value for each of the first corners() nodes, x fastest.
+  using Values = std::array<double, most_nodes_along * most_nodes_along * most_nodes_along>;
+  /// Shape functions at a place in a stencil.
+  Values weights(const Stencil& stencil, const double (&place)[3]) const;
   /// Their derivatives along an axis.
-  std::array<double, 8> slopes(const double (&place)[3], int axis) const;
-  /// The cell's node of this index, from its first one, in a window.
-  int corner(const Layout& layout, int n) const;
+  Values slopes(const Stencil& stencil, const double (&place)[3], int axis) const;
+  /// The stencil's node of this index, from its first one, in a window.
+  int corner(int n) const { return corners_[static_cast<std::size_t>(n)]; }
   /// Who owns a node of a tile's window: tile and node.
   struct Owner {
     std::uint32_t tile;
     int node;
   };
   Owner owner(const Tiles& tiles, std::uint32_t tile, int window_node) const;
-  int corners() const { return 1 << axes_; }
+  int corners() const { return static_cast<int>(corners_.size()); }
+  const PointFunctions& functions() const { return functions_; }
 
   /// What changes, for checkpoints.
   std::vector<double>& state() { return state_; }
@@ -89,15 +94,21 @@ class Riders {
   void advect(const Tiles& tiles, const Stencil& stencil, std::size_t p, double drift);
   void turn(const double (&gradient)[3][3], std::size_t p, double drift);
 
+  void find_corners(const Layout& layout);
+  Values product(const Stencil& stencil, const double (&place)[3], int sloped) const;
+
   const Model& model_;
+  const PointFunctions& functions_;
   int axes_;  ///< of the grid
   bool total_lagrangian_, follow_, whole_motion_ = false;
   std::vector<SurfacePoint> points_;
+  std::vector<Vector> inward_;  ///< hardly into the body, in cells; zero of points without a surface
   /// By point: where stencils are evaluated; with `follow` also where it is now, and two tangents.
   std::size_t stride_;
   std::vector<double> state_;
   std::vector<Slot> carriers_;
   std::vector<std::uint32_t> tiles_;  ///< of the carriers
+  std::vector<int> corners_;          ///< where a stencil's nodes are in a window, from its first one
 };
 
 }  // namespace trajan

@@ -221,8 +221,9 @@ TEST(Periodic, SurfacePointsGoWithTheirParticles) {
     EXPECT_GT(wide.last("middle.displacement.x"), 0.9);
     for (std::size_t row = 0; row < wide.rows(); ++row)
       for (const std::string& column : history_columns(wide.model))
-        // The block swings about its hinge, which makes rounding grow, as 1e7 times epsilon at most.
-        EXPECT_NEAR(wide.at(row, column), cut.at(row, column), 1e7 * epsilon) << column << row;
+        // The block swings about its hinge through cells, which makes rounding grow by some powers of ten; a point
+        // that lost its particle would be off by a period.
+        EXPECT_NEAR(wide.at(row, column), cut.at(row, column), 1e8 * epsilon) << column << row;
   }
 }
 
