@@ -57,7 +57,7 @@ NearestParticle nearest_in(const Body& body, Vector place, Lattice::Range rows, 
     const auto candidates = neighbours(place.x, lattice.first.x, lattice.spacing.x, columns);
     for (std::int64_t column = candidates.begin; column < candidates.end; ++column) {
       const double apart = distance(lattice.point(column, row), place);
-      if (apart < best.distance - equal) best = {body.first_particle + number + column - columns.begin, apart};
+      if (apart < best.distance - equal) best = {body.first_particle + number + column - columns.begin, apart, 0};
     }
   };
   for (std::int64_t plane = planes.begin; plane < planes.end; ++plane)
@@ -75,11 +75,17 @@ NearestParticle nearest_particle(const Body& body, Vector place) {
   const Lattice& lattice = body.lattice;
   const double equal = tolerance * lattice.spacing.x;
   const double across = lattice.planes > 1 ? std::min(lattice.spacing.y, lattice.spacing.z) : lattice.spacing.y;
+  // A lattice that is not full knows the numbers of 4096 rows and counts from there.
+  const double counted = std::ceil(static_cast<double>(lattice.row_count()) / 4096);
+  double rows_seen = 0;
   // Rows farther and farther away are looked at until none can be nearer.
   for (std::int64_t reach = 1;; reach *= 2) {
     const auto rows = around(place.y, lattice.first.y, lattice.spacing.y, lattice.rows, reach);
     const auto planes = around(place.z, lattice.first.z, lattice.spacing.z, lattice.planes, reach);
-    const NearestParticle best = nearest_in(body, place, rows, planes);
+    NearestParticle best = nearest_in(body, place, rows, planes);
+    rows_seen +=
+        static_cast<double>(planes.end - planes.begin) * (static_cast<double>(rows.end - rows.begin) + counted);
+    best.rows = rows_seen;
     const bool all = rows.end - rows.begin == lattice.rows && planes.end - planes.begin == lattice.planes;
     if (all || best.distance + equal < static_cast<double>(reach) * across) return best;
   }

@@ -15,6 +15,7 @@ namespace trajan {
 struct NearestParticle {
   std::int64_t particle = 0;
   double distance = 0;
+  double rows = 0;  ///< that were looked at, which is what the search costs
 };
 
 /// The particle whose reference position is nearest to `place`; of equals (to 1e-9 spacings) the first.

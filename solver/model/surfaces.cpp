@@ -106,7 +106,8 @@ std::vector<SurfacePoint> edge_points(const Model& model, const Body& body, Edge
   return points;
 }
 
-std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& body, Edge edge) {
+std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& body, Edge edge,
+                                              SearchBudget& budget) {
   const Polygon& polygon = std::get<Polygon>(body.lattice.geometry);
   const Box bounds = bounds_of(polygon);
   const auto normal = static_cast<std::size_t>(normal_axis(edge)), along = 1 - normal;
@@ -119,7 +120,7 @@ std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& bo
     if (a[normal] != level || b[normal] != level) continue;
     const double from = std::min(a[along], b[along]), size = std::abs(b[along] - a[along]);
     const double parts = std::max(1.0, std::round(size / spacing)), length = size / parts / 2;
-    for (std::int64_t i = 0; i < 2 * static_cast<std::int64_t>(parts); ++i) {
+    for (std::int64_t i = 0; i < 2 * static_cast<std::int64_t>(parts) && budget.rows >= 0; ++i) {
       const double offset = (i % 2 == 0 ? -1 : 1) / std::sqrt(3.0);
       Components at{};
       at[normal] = level;
@@ -131,7 +132,9 @@ std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& bo
       tangents[1][normal == 0 ? 2 : 0] = normal == 0 ? 1 : length;
       SurfacePoint point;
       point.position = to_vector(at);
-      point.carrier = nearest_particle(body, point.position).particle;
+      const NearestParticle carrier = nearest_particle(body, point.position);
+      budget.rows -= carrier.rows;
+      point.carrier = carrier.particle;
       point.area = length * depth(model, point.position);
       point.tangents = {to_vector(tangents[0]), to_vector(tangents[1])};
       points.push_back(point);
@@ -146,12 +149,12 @@ double count_rim_points(const Body& body, const Disc& rim, int axes) {
   return axes == 3 ? std::ceil(around * around / std::numbers::pi) : around;
 }
 
-std::vector<SurfacePoint> rim_points(const Model& model, const Body& body, const Disc& rim) {
+std::vector<SurfacePoint> rim_points(const Model& model, const Body& body, const Disc& rim, SearchBudget& budget) {
   const int axes = grid_axes(model.dimension);
   const auto count = static_cast<std::int64_t>(count_rim_points(body, rim, axes));
   const double spacing = spacing_of(body.lattice, axes);
   std::vector<SurfacePoint> points;
-  for (std::int64_t i = 0; i < count; ++i) {
+  for (std::int64_t i = 0; i < count && budget.rows >= 0; ++i) {
     RimPlace place = axes == 3 ? on_sphere(i, count, rim.radius) : on_circle(i, count, rim.radius);
     const auto at = [&](double radius) {
       return Vector{rim.centre.x + radius * place.normal[0], rim.centre.y + radius * place.normal[1],
@@ -161,6 +164,7 @@ std::vector<SurfacePoint> rim_points(const Model& model, const Body& body, const
     const bool within = is_inside(body, at(rim.radius - spacing / 2));
     if (within == is_inside(body, at(rim.radius + spacing / 2))) continue;
     const NearestParticle carrier = nearest_particle(body, at(rim.radius));
+    budget.rows -= carrier.rows;
     if (carrier.distance > 2 * spacing) continue;
     if (!within)
       for (double& component : place.tangents[0]) component = -component;

@@ -19,14 +19,20 @@ double count_edge_points(const Body& body, Edge edge, int axes);
 /// in the spacing. Precondition: the body is a box, and the dimension has the axis.
 std::vector<SurfacePoint> edge_points(const Model& model, const Body& body, Edge edge);
 
+/// Rows of particles that may still be looked at to find carriers; < 0: the search was given up.
+struct SearchBudget {
+  double rows;
+};
+
 /// The same of a polygon: of those of its sides that lie on this side of the box around it.
-std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& body, Edge edge);
+std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& body, Edge edge,
+                                              SearchBudget& budget);
 
 /// How many points are tried on a circle, or on a sphere in solid scenes.
 double count_rim_points(const Body& body, const Disc& rim, int axes);
 
 /// Points of equal area on the part of a circle (in solid scenes of a sphere) that is a body's surface: body
 /// on one side of it, none on the other, and a particle within two spacings.
-std::vector<SurfacePoint> rim_points(const Model& model, const Body& body, const Disc& rim);
+std::vector<SurfacePoint> rim_points(const Model& model, const Body& body, const Disc& rim, SearchBudget& budget);
 
 }  // namespace trajan

@@ -9,7 +9,8 @@
 namespace trajan {
 namespace {
 
-/// Searching the particle nearest to a point may take time with the rows of the body.
+/// Rows of particles that are looked at to find those nearest to a surface's points: some seconds. Near a body a
+/// search sees a few dozen of them, far from it all.
 constexpr double most_search_work = 1e8;
 
 /// Shares of the largest component of an acoustic tensor that are rounding.
@@ -52,14 +53,16 @@ std::vector<SurfacePoint> Validator::check_edge(const std::string& path, const s
   const Body& carrier = model_.bodies[*body];
   const double count = count_edge_points(carrier, edge, axes());
   load_points_ += count;
-  if (load_points_ > most_load_points ||
-      (polygon && count * static_cast<double>(carrier.lattice.rows) > most_search_work)) {
+  const auto refuse = [&]() -> std::vector<SurfacePoint> {
     violations_.add(path + ".edge", number_text(count) + " points",
                     "there are too many particles along edges with loads and conditions", "give larger cells");
     return {};
-  }
+  };
+  if (load_points_ > most_load_points) return refuse();
   if (!polygon) return edge_points(model_, carrier, edge);
-  std::vector<SurfacePoint> points = polygon_edge_points(model_, carrier, edge);
+  SearchBudget budget{most_search_work};
+  std::vector<SurfacePoint> points = polygon_edge_points(model_, carrier, edge, budget);
+  if (budget.rows < 0) return refuse();
   if (points.empty())
     violations_.add(path + ".edge", "", "no side of the polygon lies along this side of the box around it",
                     "choose another edge");
@@ -77,13 +80,14 @@ std::vector<SurfacePoint> Validator::check_rim(const std::string& path, std::opt
   const Body& carrier = model_.bodies[*body];
   const double count = count_rim_points(carrier, rim, axes());
   load_points_ += count;
-  if (!(load_points_ <= most_load_points) ||
-      count * static_cast<double>(carrier.lattice.rows * carrier.lattice.planes) > most_search_work) {
+  SearchBudget budget{most_search_work};
+  std::vector<SurfacePoint> points;
+  if (load_points_ <= most_load_points) points = rim_points(model_, carrier, rim, budget);
+  if (!(load_points_ <= most_load_points) || budget.rows < 0) {
     violations_.add(path, number_text(count) + " points", "there are too many particles along the rim",
                     "give larger cells");
     return {};
   }
-  std::vector<SurfacePoint> points = rim_points(model_, carrier, rim);
   if (points.empty())
     violations_.add(path, "", "no part of the body's surface lies on it",
                     "give the centre and radius of the body's own rim or hole");

@@ -82,6 +82,20 @@ TEST(Pressure, AllAroundADiscHasNoResultant) {
   EXPECT_NEAR(run.last("stress.stress.yy"), -10, 0.6);
 }
 
+// Carriers of a sphere's 45 000 points are found among the rows next to them, not among all 3600.
+TEST(Pressure, MayActOnALargeBall) {
+  Scene scene = block();
+  scene.domain = {Dimension::solid, {-4, -4, -4}, {4, 4, 4}, 0.25, {}};
+  const Sphere ball{{0, 0, 0}, 3.75};
+  scene.bodies[0].geometry = ball;
+  scene.loads = {{"deep", test::pressure(test::surface("block", Disc{ball.centre, ball.radius}), 10)}};
+  scene.outputs.probes = {};
+  const Model model = validate(scene);
+  double area = 0;
+  for (const LoadPoint& point : model.surface_loads.at(0).points) area += point.area;
+  EXPECT_NEAR(area, 4 * std::numbers::pi * 3.75 * 3.75, 1e-9 * area);
+}
+
 TEST(Pressure, OnAnEdgeIsTheStressBehindIt) {
   Scene scene = block();
   scene.materials = {test::material("linear_elastic", 1000, 0, 1)};
