@@ -6,6 +6,7 @@
 #include "server/store_findings.h"
 #include "server/store_jobs.h"
 #include "server/store_requests.h"
+#include "server/study_table.h"
 
 namespace trajan::store {
 
@@ -147,6 +148,7 @@ v1::Study get_study(Database& database, std::int64_t number) {
   Statement query = database.prepare("SELECT job, plan FROM jobs WHERE parent = ? ORDER BY job_id");
   query.bind(1, number);
   while (query.step()) *study.add_runs() = read_run(query);
+  derive(study);
   return study;
 }
 

@@ -1,11 +1,13 @@
 #include "server/study_plan.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
 #include "proto/field_change.h"
 #include "server/check_scene.h"
 #include "server/errors.h"
+#include "server/study_dials.h"
 
 namespace trajan {
 
@@ -129,9 +131,10 @@ google::protobuf::RepeatedPtrField<v1::Violation> plan_run(const std::vector<con
   return violations.empty() ? violations_of(planned.scene) : violations;
 }
 
-store::StudyPlan plan_sweep(const v1::Scene& scene, const Dials& dials) {
+/// Every combination must be valid.
+store::StudyPlan plan_all(const std::string& kind, const v1::Scene& scene, const Dials& dials) {
   store::StudyPlan plan;
-  plan.kind = "sweep";
+  plan.kind = kind;
   const std::size_t combinations = require_dials(scene, dials);
   for (const v1::Dial& dial : dials) plan.study.add_dials(dial.name());
   Violations violations;
@@ -144,15 +147,70 @@ store::StudyPlan plan_sweep(const v1::Scene& scene, const Dials& dials) {
   return plan;
 }
 
+store::StudyPlan plan_ladder(const v1::Scene& scene, const v1::Ladder& ladder) {
+  // What is wrong with the scene itself is said of it, not of its levels.
+  require_valid(scene);
+  Dials dials;
+  *dials.Add() = ladder_dial(scene, ladder);
+  return plan_all("ladder", scene, dials);
+}
+
+/// The one that is asked for, or the first whose exact value is not 0, or the first.
+const v1::Measure& measure_of(const v1::SubmitStudyRequest& request) {
+  const auto& measures = request.scene().measures();
+  const std::string& asked = request.tradeoff().measure();
+  const auto found = std::ranges::find_if(measures, [&](const v1::Measure& measure) {
+    return asked.empty() ? !measure.exact().empty() && measure.exact() != "0" : measure.name() == asked;
+  });
+  if (found != measures.end()) return *found;
+  if (!asked.empty()) refuse("MEASURE", "the scene has no measure \"" + asked + "\"");
+  if (measures.empty()) refuse("MEASURE", "the scene has no measures: there is nothing to be accurate about");
+  return measures[0];
+}
+
+/// What is not valid is left out and counted.
+store::StudyPlan plan_tradeoff(const v1::SubmitStudyRequest& request) {
+  require_valid(request.scene());
+  const v1::Measure& measure = measure_of(request);
+  const Dials dials =
+      request.tradeoff().dials().empty() ? default_dials(request.scene()) : request.tradeoff().dials();
+  const std::size_t combinations = require_dials(request.scene(), dials);
+  store::StudyPlan plan;
+  plan.kind = "tradeoff";
+  for (const v1::Dial& dial : dials) plan.study.add_dials(dial.name());
+  std::map<std::string, int> left_out;
+  for (std::size_t number = 0; number < combinations; ++number) {
+    store::PlannedRun planned{{}, request.scene()};
+    const auto violations = plan_run(combination(dials, number), planned);
+    if (violations.empty()) plan.runs.push_back(std::move(planned));
+    if (!violations.empty()) ++left_out[violations[0].path() + ": " + violations[0].problem()];
+  }
+  v1::Trade& trade = *plan.study.mutable_trade();
+  trade.set_measure(measure.name());
+  trade.set_reference_source(measure.exact().empty() ? "extrapolated" : "exact");
+  for (const auto& [reason, count] : left_out) {
+    v1::Skipped& skipped = *trade.add_skipped();
+    skipped.set_reason(reason);
+    skipped.set_combinations(count);
+  }
+  if (plan.runs.empty()) refuse("DIALS", "no combination of settings is valid: " + left_out.begin()->first);
+  return plan;
+}
+
 }  // namespace
 
 store::StudyPlan plan_study(const v1::SubmitStudyRequest& request) {
   switch (request.kind_case()) {
     case v1::SubmitStudyRequest::kSweep:
-      return plan_sweep(request.scene(), request.sweep().dials());
-    default:
-      refuse("KIND", "say what kind of study it is: a sweep");
+      return plan_all("sweep", request.scene(), request.sweep().dials());
+    case v1::SubmitStudyRequest::kLadder:
+      return plan_ladder(request.scene(), request.ladder());
+    case v1::SubmitStudyRequest::kTradeoff:
+      return plan_tradeoff(request);
+    case v1::SubmitStudyRequest::KIND_NOT_SET:
+      break;
   }
+  refuse("KIND", "say what kind of study it is: a sweep, a ladder or a tradeoff");
 }
 
 }  // namespace trajan

@@ -9,6 +9,8 @@ void declare_check(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_scenes(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_submit(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_sweep(CLI::App& app, const GlobalOptions& global, Action& action);
+void declare_study(CLI::App& app, const GlobalOptions& global, Action& action);
+void declare_tradeoff(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_watch(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_history(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_fetch(CLI::App& app, const GlobalOptions& global, Action& action);

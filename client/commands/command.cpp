@@ -13,6 +13,8 @@ std::span<const Command> commands() {
       {"scenes", "list the gallery, or print one of its scenes", declare_scenes},
       {"submit", "queue a scene and print the job's id", declare_submit},
       {"sweep", "run a scene with other values of its fields, and print a table", declare_sweep},
+      {"study", "say how far a scene's measures are off, by a ladder of cell sizes", declare_study},
+      {"tradeoff", "try settings of a scene: errors against core-seconds", declare_tradeoff},
       {"watch", "follow a job or a study to its end", declare_watch},
       {"history", "print histories as CSV or JSON lines", declare_history},
       {"fetch", "download a job's result files", declare_fetch},

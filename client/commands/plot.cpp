@@ -5,6 +5,8 @@
 
 #include "client/commands/all.h"
 #include "client/history_picture.h"
+#include "client/study.h"
+#include "client/trade_picture.h"
 #include "proto/suggestion.h"
 
 namespace trajan::client {
@@ -66,8 +68,24 @@ Drawing read_file(const Plot& asked) {
   return {asked.columns.empty() ? std::move(history) : select(history, asked.columns), {}};
 }
 
+/// The picture of a tradeoff, if the source is a study; false if it is a job.
+bool plot_study(const GlobalOptions& global, const Plot& asked) {
+  Connection connection = connect(global);
+  v1::GetJobRequest request;
+  request.set_job_id(resolve_job(connection, asked.source));
+  const v1::Job job = connection.call(&v1::Jobs::Stub::GetJob, request);
+  if (!job.has_study()) return false;
+  if (job.study().kind() != "tradeoff")
+    throw CommandError(ExitCode::usage, "of studies only tradeoffs have a picture", "plot one of its runs");
+  const std::string picture = asked.picture.empty() ? asked.source + "-tradeoff.png" : asked.picture;
+  draw_trade(read_study(connection, job.job_id()), picture);
+  std::cout << picture << '\n';
+  return true;
+}
+
 ExitCode plot(const GlobalOptions& global, const Plot& asked) {
   const bool is_file = fs::path(asked.source).extension() == ".csv";
+  if (!is_file && plot_study(global, asked)) return ExitCode::success;
   const Drawing drawing = is_file ? read_file(asked) : read_job(global, asked);
   const std::string stem = is_file ? fs::path(asked.source).stem().string() : asked.source;
   const std::string picture =
@@ -85,7 +103,8 @@ ExitCode plot(const GlobalOptions& global, const Plot& asked) {
 
 void declare_plot(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto asked = std::make_shared<Plot>();
-  app.add_option("source", asked->source, "A job's id, last, or a .csv file of `trajan history`")->required();
+  app.add_option("source", asked->source, "A job's or a tradeoff's id, last, or a .csv file of `trajan history`")
+      ->required();
   app.add_option("columns", asked->columns, "Names or prefixes of columns (default: what the measures are about)");
   app.add_flag("--spectrum", asked->spectrum, "Draw amplitudes over frequency instead");
   app.add_option("-O,--picture", asked->picture, "The picture: .png, .svg or .pdf (default: <job>-history.png)")

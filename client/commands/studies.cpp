@@ -1,4 +1,4 @@
-// The commands that make studies of a scene: sweep.
+// The commands that make studies of a scene: sweep, study, tradeoff.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -12,6 +12,7 @@
 #include "client/study.h"
 #include "client/submission.h"
 #include "client/terminal.h"
+#include "client/trade_picture.h"
 
 namespace trajan::client {
 namespace {
@@ -24,6 +25,7 @@ struct StudyOptions {
   bool wait = true;
   bool run_all = false;
   OutputFormat output = OutputFormat::table;
+  std::string picture;  ///< of a tradeoff; empty: none
 };
 
 v1::SubmitStudyRequest request_of(const StudyOptions& options) {
@@ -35,14 +37,18 @@ v1::SubmitStudyRequest request_of(const StudyOptions& options) {
 }
 
 /// A private server dies with this process, and its studies with it.
-ExitCode follow_study(AvailableServer& server, const std::string& job_id, OutputFormat output) {
+ExitCode follow_study(AvailableServer& server, const std::string& job_id, const StudyOptions& options) {
   InterruptWatch interrupt;
   v1::Job job;
   {
     ProgressDisplay display(is_terminal());
     job = follow_job(server.connection(), job_id, 0, interrupt, display);
   }
-  if (has_ended(job.state())) return report_study(server.connection(), job, output);
+  if (has_ended(job.state())) {
+    const ExitCode code = report_study(server.connection(), job, options.output);
+    if (!options.picture.empty()) draw_trade(read_study(server.connection(), job_id), options.picture);
+    return code;
+  }
   if (!server.is_private()) say(fmt::format("detached; the study goes on. Resume with: trajan watch {}", job_id));
   return ExitCode::detached;
 }
@@ -60,7 +66,7 @@ ExitCode perform_study(const GlobalOptions& global, const StudyOptions& options,
   AvailableServer server(global.server);
   const std::string job_id = submit_study(server.connection(), scene, request).job_id();
   if (!server.is_private()) say("study " + job_id);
-  return follow_study(server, job_id, options.output);
+  return follow_study(server, job_id, options);
 }
 
 void add_study_options(CLI::App& app, StudyOptions& options) {
@@ -87,7 +93,65 @@ ExitCode sweep(const GlobalOptions& global, const SweepOptions& asked) {
   return perform_study(global, asked.study, request);
 }
 
+struct LadderOptions {
+  StudyOptions study;
+  v1::Ladder ladder;
+};
+
+ExitCode study(const GlobalOptions& global, const LadderOptions& asked) {
+  v1::SubmitStudyRequest request = request_of(asked.study);
+  *request.mutable_ladder() = asked.ladder;
+  return perform_study(global, asked.study, request);
+}
+
+struct TradeoffOptions {
+  StudyOptions study;
+  std::vector<std::string> over;
+  std::string measure;
+};
+
+ExitCode tradeoff(const GlobalOptions& global, const TradeoffOptions& asked) {
+  v1::SubmitStudyRequest request = request_of(asked.study);
+  request.mutable_tradeoff()->set_measure(asked.measure);
+  for (const std::string& over : asked.over) *request.mutable_tradeoff()->add_dials() = parse_over(over);
+  return perform_study(global, asked.study, request);
+}
+
 }  // namespace
+
+void declare_study(CLI::App& app, const GlobalOptions& global, Action& action) {
+  const auto asked = std::make_shared<LadderOptions>();
+  add_study_options(app, asked->study);
+  app.add_option_function<int>(
+         "--levels", [asked](int levels) { asked->ladder.set_levels(levels); }, "Cell sizes, 3 to 6 (default: 3)")
+      ->check(CLI::Range(3, 6));
+  app.add_option_function<double>(
+         "--ratio", [asked](double ratio) { asked->ladder.set_ratio(ratio); },
+         "Of two neighbouring cell sizes (default: 2)")
+      ->check(CLI::Range(1.1, 4.0));
+  app.add_option_function<double>(
+         "--finest", [asked](double finest) { asked->ladder.set_finest(finest); },
+         "The smallest cell size (default: the scene's)")
+      ->check(CLI::PositiveNumber);
+  app.footer("Says how far each measure is from that of ever smaller cells, or why it cannot say.");
+  set_action(app, global, action, asked, study);
+}
+
+void declare_tradeoff(CLI::App& app, const GlobalOptions& global, Action& action) {
+  const auto asked = std::make_shared<TradeoffOptions>();
+  add_study_options(app, asked->study);
+  app.add_option("--over", asked->over,
+                 "Values of a field as in sweep, instead of the usual dials; repeated: all combinations")
+      ->type_name("PATH=VALUES")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--measure", asked->measure, "Whose error counts (default: the first with an exact value)");
+  app.add_option("--picture", asked->study.picture, "Draw error over core-seconds: .png, .svg or .pdf")
+      ->type_name("FILE");
+  app.footer("Tries methods and cell sizes; prints the errors, what they took, and the cheapest for a tolerance.");
+  set_action(app, global, action, asked, tradeoff);
+}
 
 void declare_sweep(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto asked = std::make_shared<SweepOptions>();

@@ -273,6 +273,27 @@ def test_a_sweep_with_mistakes_is_never_queued(trajan, server):
     assert json.loads(trajan("ls", "-o", "json").stdout).get("jobs", []) == []
 
 
+def test_a_study_says_how_far_the_measures_are_off(trajan, tmp_path):
+    (tmp_path / "bar.textproto").write_text(SCENE % 0.5)
+    told = json.loads(trajan("study", "bar.textproto", "--finest", "0.125", "-o", "json").stdout)
+    assert [run["settings"] for run in told["runs"]] == [["0.5"], ["0.25"], ["0.125"]]
+    (claim,) = told["convergences"]
+    assert claim["cell_sizes"] == [0.5, 0.25, 0.125]
+    assert ("band" in claim) != bool(claim["no_claim"])
+    trajan("study", "bar.textproto", "--levels", "2", expect=2)
+
+
+def test_a_tradeoff_marks_the_best_and_draws_them(trajan, tmp_path):
+    (tmp_path / "bar.textproto").write_text(SCENE % 0.5 + 'measures { name: "quarter" quantity: "tip.displacement.x" final {} exact: "0.04" }')
+    arguments = ["--over", "domain.cell_size=0.5,0.25", "--over", "numerics.shape_functions=linear,bernstein,gimp"]
+    told = json.loads(trajan("tradeoff", "bar.textproto", *arguments, "--picture", "trade.png", "-o", "json").stdout)
+    assert len(told["runs"]) == 4 and any(run["pareto"] for run in told["runs"])
+    assert told["trade"]["measure"] == "quarter" and told["trade"]["skipped"][0]["combinations"] == 2
+    assert (tmp_path / "trade.png").read_bytes().startswith(b"\x89PNG")
+    assert "TOLERANCE" in trajan("tradeoff", "bar.textproto", *arguments).stdout
+    trajan("tradeoff", "bar.textproto", "--measure", "tap", expect=2)
+
+
 def test_plot_and_render_draw_pictures(trajan, server, tmp_path):
     job = submit(trajan)
     trajan("watch", job)

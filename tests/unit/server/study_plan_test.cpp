@@ -4,6 +4,8 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "server/errors.h"
 
 namespace trajan {
@@ -104,6 +106,63 @@ TEST(StudyPlan, RefusesTooManyRunsAndDialsWithoutSense) {
   EXPECT_EQ(refusal(none).reason(), "KIND");
   none.mutable_sweep();
   EXPECT_EQ(refusal(none).reason(), "DIALS");
+}
+
+TEST(StudyPlan, ChangesWithTheCellSizeWhatIsInProportionToIt) {
+  v1::SubmitStudyRequest request = bar();
+  request.mutable_scene()->mutable_numerics()->set_time_step(0.01);
+  request.mutable_ladder()->set_levels(4);
+  const store::StudyPlan plan = plan_study(request);
+  ASSERT_EQ(plan.runs.size(), 4U);
+  std::vector<double> sizes;
+  for (const store::PlannedRun& planned : plan.runs) {
+    sizes.push_back(planned.scene.domain().cell_size());
+    EXPECT_EQ(std::stod(planned.scene.constants(0).value()), sizes.back());
+    EXPECT_DOUBLE_EQ(planned.scene.numerics().time_step(), 0.02 * sizes.back());
+    EXPECT_EQ(std::stod(planned.run.settings(0)), sizes.back());
+  }
+  EXPECT_THAT(sizes, ElementsAre(4, 2, 1, 0.5));
+}
+
+TEST(StudyPlan, RefusesLaddersOutOfRange) {
+  for (const auto change :
+       {+[](v1::Ladder& ladder) { ladder.set_levels(2); }, +[](v1::Ladder& ladder) { ladder.set_ratio(1); },
+        +[](v1::Ladder& ladder) { ladder.set_finest(0); }}) {
+    v1::SubmitStudyRequest request = bar();
+    change(*request.mutable_ladder());
+    EXPECT_EQ(refusal(request).reason(), "LADDER");
+  }
+}
+
+TEST(StudyPlan, LeavesOutCombinationsThatAreNotValidAndCountsThem) {
+  v1::SubmitStudyRequest request = bar();
+  v1::Dial& shapes = *request.mutable_tradeoff()->add_dials();
+  shapes.set_name("shapes");
+  for (const std::string shape : {"linear", "bernstein"}) {
+    v1::Setting& setting = *shapes.add_settings();
+    setting.set_name(shape);
+    setting.add_changes("numerics.shape_functions=" + shape);
+  }
+  const store::StudyPlan plan = plan_study(request);
+  ASSERT_EQ(plan.runs.size(), 1U) << "MUSL has no Bernstein functions";
+  EXPECT_THAT(plan.runs[0].run.settings(), ElementsAre("linear"));
+  ASSERT_EQ(plan.study.trade().skipped_size(), 1);
+  EXPECT_EQ(plan.study.trade().skipped(0).combinations(), 1);
+  EXPECT_EQ(plan.study.trade().reference_source(), "exact");
+  request.mutable_tradeoff()->set_measure("tap");
+  EXPECT_EQ(refusal(request).reason(), "MEASURE");
+}
+
+TEST(StudyPlan, TriesMethodsOnThreeGridsIfATradeoffNamesNoDials) {
+  v1::SubmitStudyRequest request = bar();
+  request.mutable_tradeoff();
+  const store::StudyPlan plan = plan_study(request);
+  EXPECT_THAT(plan.study.dials(), ElementsAre("method", "domain.cell_size"));
+  EXPECT_GE(plan.runs.size(), 15U);
+  std::set<std::string> kinds;
+  for (const store::PlannedRun& planned : plan.runs)
+    kinds.insert(planned.scene.analysis().has_implicit_dynamics() ? "implicit" : "explicit");
+  EXPECT_EQ(kinds.size(), 2U);
 }
 
 }  // namespace

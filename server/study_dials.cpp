@@ -1,0 +1,159 @@
+#include "server/study_dials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "server/errors.h"
+#include "server/study_table.h"
+
+namespace trajan {
+
+namespace {
+
+/// The shortest text that reads back to the same number.
+std::string exact_text(double value) {
+  char text[32];
+  for (int digits = 15; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return text;
+}
+
+void require(bool holds, const std::string& problem) {
+  if (!holds) throw ServiceError(grpc::StatusCode::INVALID_ARGUMENT, "LADDER", problem);
+}
+
+v1::Setting setting(const std::string& name, const std::vector<std::string>& changes) {
+  v1::Setting result;
+  result.set_name(name);
+  for (const std::string& change : changes) result.add_changes(change);
+  return result;
+}
+
+/// Another cell size, with all that the scene has in proportion to it.
+v1::Setting with_cell_size(const v1::Scene& scene, double cell_size) {
+  const double before = scene.domain().cell_size();
+  const double ratio = cell_size / before;
+  std::vector<std::string> changes{"domain.cell_size=" + exact_text(cell_size)};
+  for (int i = 0; i < scene.constants_size(); ++i) {
+    char* end = nullptr;
+    const std::string& text = scene.constants(i).value();
+    const bool is_cell_size = std::strtod(text.c_str(), &end) == before && *end == '\0';
+    if (scene.constants(i).name() == "cell" && is_cell_size)
+      changes.push_back("constants[" + std::to_string(i) + "].value=" + exact_text(cell_size));
+  }
+  if (scene.numerics().has_time_step())
+    changes.push_back("numerics.time_step=" + exact_text(scene.numerics().time_step() * ratio));
+  if (scene.analysis().has_implicit_dynamics()) {
+    constexpr int default_steps = 100;
+    const v1::ImplicitDynamics& motion = scene.analysis().implicit_dynamics();
+    const int steps = motion.has_time_steps() ? motion.time_steps() : default_steps;
+    const auto scaled = static_cast<std::int64_t>(std::ceil(steps / ratio - 1e-9));
+    changes.push_back("analysis.implicit_dynamics.time_steps=" + std::to_string(scaled));
+  }
+  return setting(exact_text(cell_size), changes);
+}
+
+/// A way to the answer, apart from scheme and shape functions.
+struct Way {
+  std::string name;
+  std::vector<std::string> changes;
+  bool is_explicit = true;
+};
+
+/// Loads that end at rest have one load level that matters, the last.
+Way statics(const std::string& name, const std::string& kind) {
+  return {
+      name, {"analysis.damping=0", "analysis." + kind + "={}", "outputs.samples=1", "outputs.snapshots=1"}, false};
+}
+
+/// All measures ask for values at the end, or as good as that.
+bool asks_for_the_end(const v1::Scene& scene) {
+  return std::ranges::all_of(scene.measures(), [&](const v1::Measure& measure) {
+    return measure.has_final() || measure.from() > 0.5 * scene.analysis().end_time();
+  });
+}
+
+std::vector<Way> ways_of(const v1::Scene& scene) {
+  const v1::Analysis& analysis = scene.analysis();
+  switch (analysis.kind_case()) {
+    case v1::Analysis::kRelaxation:
+      return {{"relaxation", {}}, {"implicit", {"analysis.quasi_static={}"}, false}};
+    case v1::Analysis::kQuasiStatic:
+      if (analysis.quasi_static().has_arc_length()) return {{"implicit", {}, false}};
+      return {{"implicit", {}, false}, {"relaxation", {"analysis.relaxation={}"}}};
+    case v1::Analysis::kImplicitDynamics:
+      return {{"implicit", {}, false}, {"explicit", {"analysis.explicit_dynamics={}"}}};
+    case v1::Analysis::kModal:
+      return {{"consistent mass", {"analysis.modal.mass=CONSISTENT"}, false},
+              {"lumped mass", {"analysis.modal.mass=LUMPED"}, false}};
+    case v1::Analysis::kBuckling:
+      return {{"buckling", {}, false}};
+    default:
+      break;
+  }
+  if (analysis.damping() > 0 && asks_for_the_end(scene))
+    return {{"ramp", {}}, statics("relaxation", "relaxation"), statics("implicit", "quasi_static")};
+  constexpr int default_samples = 200;
+  const int samples = scene.outputs().has_samples() ? scene.outputs().samples() : default_samples;
+  const std::string steps = std::to_string(samples);
+  return {{"explicit", {}}, {"implicit", {"analysis.implicit_dynamics={time_steps: " + steps + "}"}, false}};
+}
+
+/// Choices of scheme, shape functions and transfer that are worth a try.
+const std::vector<Way>& choices() {
+  static const std::vector<Way> all{
+      {"TLMPM linear", {"numerics.scheme=TLMPM", "numerics.shape_functions=linear"}, false},
+      {"TLMPM quadratic", {"numerics.scheme=TLMPM", "numerics.shape_functions=quadratic_bspline"}, false},
+      {"TLMPM cubic", {"numerics.scheme=TLMPM", "numerics.shape_functions=cubic_bspline"}, false},
+      {"MUSL linear", {"numerics.scheme=MUSL", "numerics.shape_functions=linear"}, false},
+      {"MUSL CPDI", {"numerics.scheme=MUSL", "numerics.shape_functions=cpdi"}, false},
+      {"MUSL quadratic", {"numerics.scheme=MUSL", "numerics.shape_functions=quadratic_bspline"}, false},
+      {"USL linear", {"numerics.scheme=USL", "numerics.shape_functions=linear"}},
+      {"USL quadratic", {"numerics.scheme=USL", "numerics.shape_functions=quadratic_bspline"}},
+      {"MUSL quadratic APIC",
+       {"numerics.scheme=MUSL", "numerics.shape_functions=quadratic_bspline", "numerics.transfer=APIC"}},
+      {"TLMPM linear, long steps",
+       {"numerics.scheme=TLMPM", "numerics.shape_functions=linear", "numerics.time_step_fraction=0.9"}},
+  };
+  return all;
+}
+
+}  // namespace
+
+v1::Dial ladder_dial(const v1::Scene& scene, const v1::Ladder& ladder) {
+  const int levels = ladder.has_levels() ? ladder.levels() : 3;
+  const double ratio = ladder.has_ratio() ? ladder.ratio() : 2;
+  const double finest = ladder.has_finest() ? ladder.finest() : scene.domain().cell_size();
+  require(levels >= 3 && levels <= 6, "a ladder has 3 to 6 levels");
+  require(ratio >= 1.1 && ratio <= 4, "the ratio of a ladder is 1.1 to 4");
+  require(std::isfinite(finest) && finest > 0, "the finest cell size of a ladder must be positive");
+  v1::Dial dial;
+  dial.set_name(cell_size_dial);
+  for (int level = levels - 1; level >= 0; --level)
+    *dial.add_settings() = with_cell_size(scene, finest * std::pow(ratio, level));
+  return dial;
+}
+
+google::protobuf::RepeatedPtrField<v1::Dial> default_dials(const v1::Scene& scene) {
+  v1::Ladder ladder;
+  ladder.set_finest(scene.domain().cell_size() / 2);
+  google::protobuf::RepeatedPtrField<v1::Dial> dials;
+  v1::Dial& methods = *dials.Add();
+  methods.set_name("method");
+  for (const Way& way : ways_of(scene)) {
+    for (const Way& choice : choices()) {
+      if (choice.is_explicit && !way.is_explicit) continue;
+      std::vector<std::string> changes = way.changes;
+      changes.insert(changes.end(), choice.changes.begin(), choice.changes.end());
+      *methods.add_settings() = setting(way.name + ", " + choice.name, changes);
+    }
+  }
+  *dials.Add() = ladder_dial(scene, ladder);
+  return dials;
+}
+
+}  // namespace trajan
