@@ -9,6 +9,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = (pathlib.Path(__file__).parent / "scenes", ROOT / "client" / "scenes")
 
 
+def text_of(scene, values):
+    """A scene's file, in which `values` stand for $name."""
+    (file,) = [path for folder in SCENES for path in folder.glob(f"{scene}.textproto")][:1]
+    return string.Template(file.read_text(encoding="utf-8")).substitute(values)
+
+
 @dataclass
 class Row:
     """A number: what the dissertation prints, what is true, what Trajan finds.
@@ -65,12 +71,18 @@ class Section:
 
     def run(self, name, scene, **values):
         """The Result of a scene's file, in which `values` stand for $name."""
-        (file,) = [path for folder in SCENES for path in folder.glob(f"{scene}.textproto")][:1]
-        text = string.Template(file.read_text(encoding="utf-8")).substitute(values)
-        result = self._service.run(f"{self.number:02}/{name}", text)
+        result = self._service.run(f"{self.number:02}/{name}", text_of(scene, values))
         self.core_seconds += result.core_seconds
         print(f"  {name}: {result.core_seconds:.2f} core-seconds", flush=True)
         return result
+
+    def sweep(self, name, path, settings, scene, **values):
+        """The Results of a study on the server, one for each setting of the field with this path."""
+        results = self._service.sweep(f"{self.number:02}/{name}", text_of(scene, values), path, settings)
+        spent = sum(result.core_seconds for result in results)
+        self.core_seconds += spent
+        print(f"  {name}: {len(results)} runs, {spent:.2f} core-seconds", flush=True)
+        return results
 
     def row(self, *arguments, **fields):
         self.rows.append(Row(*arguments, **fields))

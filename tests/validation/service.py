@@ -103,21 +103,47 @@ class Service:
     def run(self, name, scene):
         """The result of a scene given as text; raises RuntimeError if there is none. `name` is a folder of the report."""
         folder = self._folder / name
-        written = folder / "scene.textproto"
-        costs = folder / "run.json"
-        if self._reuse and costs.exists() and written.read_text(encoding="utf-8") == scene:
-            return Result(folder / "result.vtkhdf", **json.loads(costs.read_text(encoding="utf-8")))
-        folder.mkdir(parents=True, exist_ok=True)
-        costs.unlink(missing_ok=True)
-        written.write_text(scene, encoding="utf-8")
+        kept = self._kept(folder, scene)
+        if kept:
+            return kept
         before = processor_seconds(self._server.pid)
         job = self._call("submit", "-", text=scene).strip()
         self._call("watch", job, accept=(0, 1))  # 1: it failed, which its state says, or missed a tolerance
         spent = processor_seconds(self._server.pid) - before
         told = json.loads(self._call("show", job, "-o", "json"))
+        return self._keep(folder, scene, job, told, spent)
+
+    def sweep(self, name, scene, path, values):
+        """The results of a study of a scene, one for each value of a field, given by its path."""
+        folders = [self._folder / name / str(value) for value in values]
+        texts = [f"{scene}\n# {path}={value}\n" for value in values]
+        kept = [self._kept(folder, text) for folder, text in zip(folders, texts)]
+        if all(kept):
+            return kept
+        over = f"{path}={','.join(map(str, values))}"
+        study = self._call("sweep", "-", "--over", over, "--detach", text=scene).strip()
+        self._call("watch", study, accept=(0, 1))
+        runs = json.loads(self._call("show", study, "-o", "json"))["runs"]
+        return [
+            self._keep(folder, text, run["job_id"], run, run.get("cost", {}).get("core_seconds", 0.0))
+            for folder, text, run in zip(folders, texts, runs)
+        ]
+
+    def _kept(self, folder, text):
+        """The result of an earlier validation, if it may be used and is of the same scene."""
+        costs = folder / "run.json"
+        if not (self._reuse and costs.exists() and (folder / "scene.textproto").read_text(encoding="utf-8") == text):
+            return None
+        return Result(folder / "result.vtkhdf", **json.loads(costs.read_text(encoding="utf-8")))
+
+    def _keep(self, folder, text, job, told, spent):
+        """Fetches the files of a finished job, of which `told` says state and measures."""
         if told["state"] != "SUCCEEDED":
-            raise RuntimeError(f"{name}: {told['state']}: {told.get('failure', '')}")
+            raise RuntimeError(f"{folder.name}: {told['state']}: {told.get('failure', '')}")
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "run.json").unlink(missing_ok=True)
+        (folder / "scene.textproto").write_text(text, encoding="utf-8")
         self._call("fetch", job, "--directory", str(folder))
         measures = {measure["name"]: measure.get("value") for measure in told.get("measures", [])}
-        costs.write_text(json.dumps({"core_seconds": spent, "measures": measures}), encoding="utf-8")
+        (folder / "run.json").write_text(json.dumps({"core_seconds": spent, "measures": measures}), encoding="utf-8")
         return Result(folder / "result.vtkhdf", spent, measures)

@@ -109,23 +109,29 @@ def points(result):
     return len(places)
 
 
-def crushing(section, name, marble, cells, duration, strain=CRUSHED, **fields):
-    """A run that presses the column together at a constant rate; the rate, times and compressive stresses."""
+def crushing_scene(marble, cells, duration, strain, **fields):
+    """The rate of a press that crushes the column together, and the values of its scene."""
     cell = HEIGHT / cells
     rate = (1 - np.exp(-strain)) / duration
-    result = section.run(
-        name, "column", cell=repr(cell), damage=marble.scene(fields.get("scatter", "")), end=duration, samples=400,
-        analysis=fields.get("analysis", ""), transfer=fields.get("transfer", ""),
-        velocity=f'initial_velocity {{ x: "0.25 * {rate!r} * x" y: "-{rate!r} * y" }}', remembered=fields.get("remembered", ""),
-        last=HEIGHT - 0.3 * cell, first=0.9 * cell,
-        conditions=f'boundaries {{ name: "press" face: TOP prescribed_velocity {{ velocity {{ y: "-{rate * HEIGHT!r}" }} }} }}',
-    )
+    return rate, {
+        "cell": repr(cell), "damage": marble.scene(fields.get("scatter", "")), "end": duration, "samples": 400,
+        "analysis": fields.get("analysis", ""), "transfer": fields.get("transfer", ""),
+        "velocity": f'initial_velocity {{ x: "0.25 * {rate!r} * x" y: "-{rate!r} * y" }}',
+        "remembered": fields.get("remembered", ""), "last": HEIGHT - 0.3 * cell, "first": 0.9 * cell,
+        "conditions": f'boundaries {{ name: "press" face: TOP prescribed_velocity {{ velocity {{ y: "-{rate * HEIGHT!r}" }} }} }}',
+    }
+
+
+def curve(result, rate):
+    """Strains and compressive stresses."""
     time, stress = result.history("column", "stress")
-    return result, -np.log(1 - rate * time), -stress[:, 1]
+    return -np.log(1 - rate * time), -stress[:, 1]
 
 
 def crush(section, marble, cells, drawn, colour):
-    result, strain, stress = crushing(section, f"crushed_{cells}", marble, cells, 0.01, transfer='transfer: "APIC"')
+    rate, values = crushing_scene(marble, cells, 0.01, CRUSHED, transfer='transfer: "APIC"')
+    result = section.run(f"crushed_{cells}", "column", **values)
+    strain, stress = curve(result, rate)
     drawn.plot(strain[::10], stress[::10] / 1e6, "o", color=colour, markersize=3, label=f"Trajan, {points(result)} points")
     settings = f"explicit, TLMPM, linear functions, APIC, {cells} cells over the height, {points(result)} points"
     source = "closed form of the law (equations 5.2 to 5.9)"
@@ -181,44 +187,45 @@ loads {{
     )
 
 
-def bar(section, marble, seed):
-    """The column as a bar of 23 layers with two points each."""
+def bars(section, marble, seeds):
+    """The column as a bar of 23 layers with two points each, as a study over seeds."""
     rate = (1 - np.exp(-SCATTERED)) / DURATION
-    result = section.run(
-        f"bar_{seed}", "column_bar", cell=repr(HEIGHT / CELLS[0]), rate=repr(rate), end=DURATION,
-        damage=marble.scene(f"scatter_shape: {SCATTER} seed: {seed}"),
+    results = section.sweep(
+        "bars", "materials[marble].damage.seed", seeds, "column_bar", cell=repr(HEIGHT / CELLS[0]), rate=repr(rate),
+        end=DURATION, damage=marble.scene(f"scatter_shape: {SCATTER} seed: 1"),
     )
-    _, stress = result.history("column", "stress")
-    places, strengths = result.snapshot("relative_strength", index=0)
-    return result, -(stress[:, 0] if stress.ndim == 2 else stress), places[:, 0], np.ones(len(places)), strengths
+    for result in results:
+        _, stress = result.history("column", "stress")
+        places, strengths = result.snapshot("relative_strength", index=0)
+        yield result, -(stress[:, 0] if stress.ndim == 2 else stress), places[:, 0], np.ones(len(places)), strengths
 
 
-def solid_column(section, marble, seed):
-    """The column in axisymmetry with the same cells, two points more beside each."""
-    result, _, stress = crushing(
-        section, f"scatter_{seed}", marble, CELLS[0], DURATION, SCATTERED, analysis="damping: 100",
-        scatter=f"scatter_shape: {SCATTER} seed: {seed}", remembered='"relative_strength"',
+def solid_columns(section, marble, seeds):
+    """The columns in axisymmetry with the same cells, two points more beside each."""
+    rate, values = crushing_scene(
+        marble, CELLS[0], DURATION, SCATTERED, analysis="damping: 100", scatter=f"scatter_shape: {SCATTER} seed: 1",
+        remembered='"relative_strength"',
     )
-    places, strengths = result.snapshot("relative_strength", index=0)
-    return result, stress, places[:, 1], places[:, 0], strengths
+    for result in section.sweep("columns", "materials[marble].damage.seed", seeds, "column", **values):
+        places, strengths = result.snapshot("relative_strength", index=0)
+        yield result, curve(result, rate)[1], places[:, 1], places[:, 0], strengths
 
 
 def scatter(section, marble, seeds):
     """Columns whose points have strengths of their own."""
     figure, drawn = plots.axes(2)
-    for one, name, simulate in zip(drawn, ("bar", "column"), (bar, solid_column)):
+    for one, name, simulate in zip(drawn, ("bar", "column"), (bars, solid_columns)):
         found, predicted, seconds = [], [], 0.0
-        for seed in range(1, seeds + 1):
-            result, stress, heights, areas, strengths = simulate(section, marble, seed)
+        for result, stress, heights, areas, strengths in simulate(section, marble, range(1, seeds + 1)):
             layer = np.minimum((heights / (HEIGHT / CELLS[0])).astype(int), CELLS[0] - 1)
             order = np.argsort(layer, kind="stable")
             areas, strengths = (values[order].reshape(CELLS[0], -1) for values in (areas, strengths))
             predicted.append(chain_of_bundles(marble, strengths, areas / areas.sum(1, keepdims=True)) / 1e6)
             found.append(stress.max() / 1e6)
             seconds += result.core_seconds
-        dimension = "bar" if simulate is bar else "axisymmetric"
+        dimension = "bar" if simulate is bars else "axisymmetric"
         settings = f"{dimension}, explicit, TLMPM, linear functions, {CELLS[0]} cells, {len(layer)} points, {seeds} seeds"
-        compare(section, name, settings, seconds, np.array(found), np.array(predicted), simulate is bar)
+        compare(section, name, settings, seconds, np.array(found), np.array(predicted), simulate is bars)
         bins = np.linspace(min(found + predicted), max(found + predicted), 13)
         one.hist(found, bins, color=plots.COLOURS[1], alpha=0.6, label=f"Trajan, {dimension}")
         one.hist(predicted, bins, histtype="step", **plots.REFERENCE, label="layers of the same strengths")

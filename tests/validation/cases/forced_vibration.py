@@ -43,17 +43,21 @@ class Reference:
         return self._body.section_means(moved)[-1, 1] / self._softer
 
 
-def drive(section, name, frequency, end_time, samples):
-    result = section.run(
-        name, "beam", **beams.values(
+def drive(section, name, frequencies, end_time, samples):
+    """A study over driving frequencies: for each the result, the times and the end's motion."""
+    results = section.sweep(
+        name, "loads[end_shear].time.sine.frequency", frequencies, "beam", **beams.values(
             ("clamped", "free"), CELL, length=LENGTH, modulus=MODULUS,
-            loads=beams.end_shear(FORCE, f"sine {{ frequency: {frequency!r} }}"),
+            loads=beams.end_shear(FORCE, f"sine {{ frequency: {frequencies[0]!r} }}"),
             analysis=f"end_time: {end_time!r}",
             outputs=f"samples: {samples} snapshots: 1\n{beams.stations(CELL, LENGTH)}",
         ),
     )
-    time, x, across = beams.deflections(result)
-    return result, time, beams.free_end(x, across, LENGTH)
+    motions = []
+    for result in results:
+        time, x, across = beams.deflections(result)
+        motions.append((result, time, beams.free_end(x, across, LENGTH)))
+    return motions
 
 
 def waves(time, angular):
@@ -87,11 +91,11 @@ def run(section):
         natural = reference.angular[mode]
         samples = int(periods * reference.angular[4] / natural * 4)
         free = []
-        for share in (0.9,) if section.quick else shares:
+        shares = (0.9,) if section.quick else shares
+        frequencies = [float(share * natural / (2 * np.pi)) for share in shares]
+        motions = drive(section, f"mode_{mode + 1}", frequencies, periods * 2 * np.pi / natural, samples)
+        for share, (result, time, moved) in zip(shares, motions):
             driving = share * natural
-            result, time, moved = drive(
-                section, f"mode_{mode + 1}_{share}", driving / (2 * np.pi), periods * 2 * np.pi / natural, samples
-            )
             if share == 1.0:
                 growth(section, reference, mode, time, moved, result)
                 continue
