@@ -20,8 +20,10 @@ struct alignas(64) BlockArray {
   double& operator[](int i) { return values[i]; }
 };
 
-/// What went wrong with particles of a thread's blocks, as counts.
+/// What a thread has counted among the particles of its blocks: what went wrong with them, and how often one's
+/// nodes differ from those of the one before it.
 struct Trouble {
+  std::int64_t runs = 0;
   std::int64_t left_window = 0;  ///< not an error: particles must be sorted into tiles again
   std::int64_t left_domain = 0;
   std::int64_t moved_too_far = 0;

@@ -68,8 +68,8 @@ struct AffineKernels {
   Stage find_levers = nullptr;
   Stage begin = nullptr;    ///< makes of the gradient of initial velocities what particles carry
   Stage scatter = nullptr;  ///< momentum, besides that of the particles' own velocities
-  Stage gather = nullptr;   ///< of the grid's velocity
-  Stage kick = nullptr;     ///< by the grid's acceleration
+  Stage gather = nullptr;   ///< the grid's velocity, and what particles carry of it
+  Stage kick = nullptr;     ///< the grid's acceleration, and what it adds to that
 };
 
 /// What depends on the shape functions and the dimension.
@@ -78,6 +78,7 @@ struct TransferKernels {
   int window_copies;       ///< arrays that a window needs for one quantity
   int stencil_doubles;     ///< that a block needs for weights that are no products
   bool needs_deformation;  ///< particles must know their deformation gradient
+  bool staggered;          ///< stencils change in the middle of cells
   Stage locate;
   Stage scatter_state;  ///< mass, momentum and internal force
   Stage scatter_hoop;   ///< axisymmetric: the hoop stress's force

@@ -17,7 +17,7 @@ struct Bernstein {
   static constexpr bool needs_deformation = false;
 
   /// Windows begin two nodes before their tile, and tiles at even nodes.
-  static int first_node(double at) { return 2 * static_cast<int>(0.5 * at); }
+  static constexpr int first_node(double at) { return 2 * static_cast<int>(0.5 * at); }
   static void weigh(double p, double, double (&weight)[3], double (&slope)[3]) {
     const double s = 0.5 * p, r = 1 - s;
     weight[0] = r * r;

@@ -17,7 +17,7 @@ struct Cpdi {
   static constexpr bool wide = true;
   static constexpr bool needs_deformation = true;
 
-  static int first_node(double at) { return static_cast<int>(at) - 1; }
+  static constexpr int first_node(double at) { return static_cast<int>(at) - 1; }
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

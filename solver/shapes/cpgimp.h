@@ -16,7 +16,7 @@ struct Cpgimp {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = true;
 
-  static int first_node(double at) { return static_cast<int>(at) - 1; }
+  static constexpr int first_node(double at) { return static_cast<int>(at) - 1; }
   /// Domains wider than two cells are taken as two cells wide, hardly any width as a fiftieth.
   static void weigh(double p, double half_size, double (&weight)[4], double (&slope)[4]) {
     const double size = half_size < 0 ? -half_size : half_size;

@@ -15,7 +15,7 @@ struct CubicBspline {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
 
-  static int first_node(double at) { return static_cast<int>(at) - 1; }
+  static constexpr int first_node(double at) { return static_cast<int>(at) - 1; }
   /// p is between 1 and 2.
   static void weigh(double p, double, double (&weight)[4], double (&slope)[4]) {
     const double f = p - 1, g = 2 - p;

@@ -15,7 +15,7 @@ struct Gimp {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
 
-  static int first_node(double at) { return static_cast<int>(at - 0.5); }
+  static constexpr int first_node(double at) { return static_cast<int>(at - 0.5); }
   static void weigh(double p, double half_size, double (&weight)[3], double (&slope)[3]) {
     average_hats(p, half_size < 0.5 ? half_size : 0.5, weight, slope);
   }

@@ -15,7 +15,7 @@ struct Linear {
   static constexpr bool folds = false;
   static constexpr bool needs_deformation = false;
 
-  static int first_node(double at) { return static_cast<int>(at); }
+  static constexpr int first_node(double at) { return static_cast<int>(at); }
   static void weigh(double p, double, double (&weight)[2], double (&slope)[2]) {
     weight[0] = 1 - p;
     weight[1] = p;

@@ -15,7 +15,7 @@ struct QuadraticBspline {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
 
-  static int first_node(double at) { return static_cast<int>(at - 0.5); }
+  static constexpr int first_node(double at) { return static_cast<int>(at - 0.5); }
   /// p is between 1/2 and 3/2.
   static void weigh(double p, double, double (&weight)[3], double (&slope)[3]) {
     const double below = 1.5 - p, middle = p - 1, above = p - 0.5;

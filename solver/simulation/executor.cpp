@@ -92,8 +92,9 @@ Executor::Executor(const Model& model, int threads)
 Executor::~Executor() = default;
 
 void Executor::sort() {
-  sort_into_tiles(model_.grid, bodies_, tiles_);
+  sort_into_tiles(model_.grid, transfer_.staggered, bodies_, tiles_);
   ++sortings_;
+  order_ = {};
   bind();
 }
 
@@ -229,11 +230,21 @@ const Executor::Chain& Executor::chain_of(std::span<const Pass> passes) {
 }
 
 void Executor::run(std::span<const Pass> passes) {
+  const auto last = std::find(passes.rbegin(), passes.rend(), Pass::locate);
+  const auto before_last = static_cast<std::size_t>(std::max<std::ptrdiff_t>(passes.rend() - last - 1, 0));
+  if (before_last > 0 && order_.is_worn()) {
+    // Nothing that comes after particles are located anew gathers from the grid as it is.
+    run(passes.first(before_last));
+    sort();
+    run(passes.subspan(before_last));
+    return;
+  }
   const Chain& chain = chain_of(passes);
   for (auto& scratch : scratch_) scratch->trouble = {};
   for_each_tile([&](std::size_t tile, std::size_t thread) { run_tile(tile, chain, *scratch_[thread]); });
   Trouble trouble;
   for (const auto& scratch : scratch_) {
+    trouble.runs += scratch->trouble.runs;
     trouble.left_window += scratch->trouble.left_window;
     trouble.left_domain += scratch->trouble.left_domain;
     trouble.moved_too_far += scratch->trouble.moved_too_far;
@@ -241,11 +252,13 @@ void Executor::run(std::span<const Pass> passes) {
     trouble.unsolved += scratch->trouble.unsolved;
   }
   check(trouble);
-  if (trouble.left_window == 0) return;
+  if (trouble.left_window == 0) {
+    if (trouble.runs > 0) order_.count(trouble.runs);
+    return;
+  }
   // What has been scattered from clamped places is worthless; the particles themselves are right.
   sort();
-  const auto last = std::find(passes.rbegin(), passes.rend(), Pass::locate);
-  run(passes.subspan(static_cast<std::size_t>(last.base() - 1 - passes.begin())));
+  run(passes.subspan(before_last));
 }
 
 void Executor::run_tile(std::size_t index, const Chain& chain, Scratch& scratch) {

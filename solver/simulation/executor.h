@@ -14,6 +14,7 @@
 #include "solver/loads/loads.h"
 #include "solver/simulation/account.h"
 #include "solver/simulation/particles.h"
+#include "solver/simulation/particle_order.h"
 #include "solver/simulation/pass.h"
 #include "solver/transfers/transfer.h"
 
@@ -69,6 +70,8 @@ class Executor {
   std::vector<Riders*> riders();
   /// Counts sortings, for whoever keeps slots.
   std::int64_t sortings() const { return sortings_; }
+  /// What decides when particles are sorted next.
+  ParticleOrder& order() { return order_; }
   Account& account() { return account_; }
   const Account& account() const { return account_; }
   /// Multiplies the inertia of a body, by which waves become slower; its weight stays.
@@ -141,6 +144,7 @@ class Executor {
   bool accounts_ = false;  ///< for work and dissipation
   double lightest_particle_ = 0;
   std::int64_t sortings_ = 0;
+  ParticleOrder order_;
 };
 
 }  // namespace trajan

@@ -49,7 +49,8 @@ double lightest_particle(const std::vector<BodyParticles>& bodies);
 /// Positions at time 0 of the particles of these numbers.
 std::vector<Vector> reference_positions(const Model& model, const std::vector<std::int64_t>& numbers);
 
-/// Puts particles in the order of tiles and, within one, of cells; particles of one cell stay in order.
-void sort_into_tiles(const Grid& grid, std::vector<BodyParticles>& bodies, Tiles& tiles);
+/// Puts particles in the order of tiles and, within one, of the nodes that their stencils begin with: those of
+/// cells, or (`staggered`) of cells that are shifted by half a cell. Particles of one stay in order.
+void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles);
 
 }  // namespace trajan

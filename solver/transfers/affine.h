@@ -66,55 +66,58 @@ template <class Stencil, Layout L>
 inline void scatter_affine(Block& block) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
-  for (int i = 0; i < block.count; ++i) {
-    const double mass_per_cell = block.mass(i) * block.sweep->inverse_cell;
-    double moment[D * D];
-    for (int ab = 0; ab < D * D; ++ab) moment[ab] = mass_per_cell * affine(block, ab / D, ab % D)[i];
-    double* momenta = sums_of<L>(block, sum_momentum, i);
-    Stencil(*block.scratch, i).for_each_row([&](int at, Row, const Row* lever) __attribute__((always_inline)) {
-      for (int a = 0; a < D; ++a) {
-        Row p = lever[0] * moment[a * D];
-        for (int b = 1; b < D; ++b) p += lever[b] * moment[a * D + b];
-        add(momenta + a * L.window_nodes + at, p);
-      }
-    });
-  }
+  scatter<Stencil, L, D>(
+      block, quantity(sum_momentum, 0, D), [&](int i) __attribute__((always_inline)) {
+        const double mass_per_cell = block.mass(i) * block.sweep->inverse_cell;
+        return [&, i, mass_per_cell ](Row, const Row* lever, Row* sums) __attribute__((always_inline)) {
+#pragma GCC unroll 3
+          for (int a = 0; a < D; ++a)
+#pragma GCC unroll 3
+            for (int b = 0; b < D; ++b) sums[a] += lever[b] * (mass_per_cell * affine(block, a, b)[i]);
+        };
+      });
 }
 
-/// Calls put(component of B, value) with what B is of a vector of the nodes.
-template <class Stencil, Layout L, class Put>
-__attribute__((always_inline)) inline void gather_moments(Block& block, NodeVector vector, Put&& put) {
+/// What B is of a vector of the nodes goes to scratch.gradient, per the cell size and D; the vector to `out`.
+template <class Stencil, Layout L>
+__attribute__((always_inline)) inline void gather_moments(Block& block, NodeVector vector, BlockArray* out) {
   constexpr int D = L.dimensions;
-  using Row = typename Stencil::Row;
-  const Scratch& s = *block.scratch;
-  for (int i = 0; i < block.count; ++i) {
-    const double* nodes = values_of<L>(s, vector, i);
-    Row moment[D * D] = {};
-    Stencil(s, i).for_each_row([&](int at, Row, const Row* lever) __attribute__((always_inline)) {
-      for (int a = 0; a < D; ++a) {
-        const Row value = load<Row>(nodes + a * L.window_nodes + at);
-        for (int b = 0; b < D; ++b) moment[a * D + b] += lever[b] * value;
-      }
-    });
-    for (int a = 0; a < D; ++a)
-      for (int b = 0; b < D; ++b)
-        put(affine(block, a, b)[i], block.sweep->cell * s.levers[b].inertia.values[i] * sum(moment[a * D + b]));
-  }
+  BlockArray* moments = block.scratch->gradient;
+  gather<Stencil, L>(
+      block, vector, [=](int i, int a, const auto& sums) __attribute__((always_inline)) {
+        store(out[a].values + i, sums[0]);
+        for (int b = 0; b < D; ++b) store(moments[a * D + b].values + i, sums[1 + b]);
+      });
 }
 
+/// The grid's velocity, and B of it.
 template <class Stencil, Layout L>
 inline void gather_affine(Block& block) {
-  gather_moments<Stencil, L>(
-      block, node_velocity, [](double& b, double moment) __attribute__((always_inline)) { b = moment; });
+  constexpr int D = L.dimensions;
+  const Scratch& s = *block.scratch;
+  const double cell = block.sweep->cell;
+  gather_moments<Stencil, L>(block, node_velocity, block.scratch->velocity);
+  for (int ab = 0; ab < D * D; ++ab) {
+    double* b = affine(block, ab / D, ab % D);
+    const double *moment = s.gradient[ab].values, *inertia = s.levers[ab % D].inertia.values;
+#pragma GCC ivdep
+    for (int i = 0; i < block.count; ++i) b[i] = cell * inertia[i] * moment[i];
+  }
 }
 
-/// B += dt sum w_I a_I (x_I - x_p)^T.
+/// The grid's acceleration, and B += dt sum w_I a_I (x_I - x_p)^T.
 template <class Stencil, Layout L>
 inline void kick_affine(Block& block) {
-  const double dt = block.sweep->kick;
-  gather_moments<Stencil, L>(
-      block,
-      node_acceleration, [dt](double& b, double moment) __attribute__((always_inline)) { b += dt * moment; });
+  constexpr int D = L.dimensions;
+  const Scratch& s = *block.scratch;
+  const double cell = block.sweep->cell, dt = block.sweep->kick;
+  gather_moments<Stencil, L>(block, node_acceleration, block.scratch->acceleration);
+  for (int ab = 0; ab < D * D; ++ab) {
+    double* b = affine(block, ab / D, ab % D);
+    const double *moment = s.gradient[ab].values, *inertia = s.levers[ab % D].inertia.values;
+#pragma GCC ivdep
+    for (int i = 0; i < block.count; ++i) b[i] += dt * (cell * inertia[i] * moment[i]);
+  }
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -21,8 +21,8 @@ struct Apic {
     passes.locate = {affine.find_levers};
     passes.scatter_state = {kernels.scatter_state, affine.scatter};
     passes.scatter_momentum = {kernels.scatter_momentum, affine.scatter};
-    passes.update_velocity = {{kernels.gather_velocity, motion.take_velocity, affine.gather}, {node_velocity}};
-    passes.kick = {{kernels.gather_acceleration, motion.kick, affine.kick}, {node_acceleration}};
+    passes.update_velocity = {{affine.gather, motion.take_velocity}, {node_velocity}};
+    passes.kick = {{affine.kick, motion.kick}, {node_acceleration}};
     return passes;
   }
   static std::string_view objection(const Numerics& numerics) {

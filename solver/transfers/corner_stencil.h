@@ -12,15 +12,16 @@ constexpr int corner_table(int axes) { return (1 + axes) << 2 * axes; }
 
 template <Layout L>
 struct CornerStencil {
-  static constexpr int D = L.dimensions;
+  static constexpr int D = L.dimensions, rows = 1 << 2 * (L.dimensions - 1);
   using Row = Four;
 
   __attribute__((always_inline)) CornerStencil(const Scratch& s, int i)
       : table(s.stencils + i * corner_table(D)) {}
-
+  static constexpr int offset(int lane) { return lane; }
+  __attribute__((always_inline)) static void add_row(double* to, Row row) { add(to, row); }
   template <class Function>
   __attribute__((always_inline)) void for_each_row(Function&& of) const {
-    constexpr int rows = 1 << 2 * (D - 1), quantity_size = 1 << 2 * D;
+    constexpr int quantity_size = 1 << 2 * D;
     for (int row = 0; row < rows; ++row) {
       Row slopes[D];
       for (int a = 0; a < D; ++a) slopes[a] = load<Row>(table + (1 + a) * quantity_size + 4 * row);
@@ -123,7 +124,6 @@ inline void locate_corners(Block& block) {
   for (int axis = 0; axis < L.dimensions; ++axis) locate_along<Shape, L>(block, axis);
   for (int i = 0; i < block.count; ++i) tabulate<L.dimensions>(block, i);
 }
-
 template <class Shape, Layout L>
 inline constexpr TransferKernels corner_kernels_of = [] {
   TransferKernels kernels = transfer_kernels<Shape, L, CornerStencil<L>, &locate_corners<Shape, L>>;

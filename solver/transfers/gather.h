@@ -1,30 +1,64 @@
 #pragma once
 
-#include "solver/transfers/stencil.h"
+#include "solver/transfers/lanes.h"
+#include "solver/transfers/runs.h"
 
 /// Grid to particles, with any shape functions.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-template <Layout L>
-__attribute__((always_inline)) inline const double* values_of(const Scratch& s, NodeVector vector, int i) {
-  return s.window + quantity(vector, 0, L.dimensions) * L.window_nodes + s.cell[i];
+/// Calls put(i, axis, sums) with what the nodes hold of a vector's component at particle i: sums[0], and its
+/// derivatives per cell: sums[1 + axis]. Where shape functions are products that is for several particles from i
+/// on at once, up to three of them past the last one.
+template <class Stencil, Layout L, class Put>
+__attribute__((always_inline)) inline void gather(Block& block, NodeVector vector, Put&& put) {
+  constexpr int D = L.dimensions;
+  const Scratch& s = *block.scratch;
+  const double* window = s.window + quantity(vector, 0, D) * L.window_nodes;
+  if constexpr (LanesOf<Stencil>::exist) {
+    // Across a run's particles, so that nodes are read once for all of them and no vector's parts are to be added
+    // up: with quadratic B-splines 65 -> 56 ns per particle and step in 2D, 268 -> 203 in 3D.
+    using Particles = typename LanesOf<Stencil>::Type;
+    for_each_run(
+        block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
+          for (int i = begin; i < end; i += Particles::lanes) {
+            const Particles particles(s, i);
+            const double* from = hidden(window + node);
+#pragma GCC unroll 3
+            for (int a = 0; a < D; ++a) {
+              typename Particles::Lanes sums[1 + D];
+              particles.contract(from + a * L.window_nodes, sums);
+              put(i, a, sums);
+            }
+          }
+        });
+  } else {
+    using Row = typename Stencil::Row;
+    for (int i = 0; i < block.count; ++i) {
+      Row sums[D][1 + D] = {};
+      Stencil(s, i).for_each_row([&](int at, Row w, const Row* slope) __attribute__((always_inline)) {
+        for (int a = 0; a < D; ++a) {
+          const Row value = load<Row>(window + a * L.window_nodes + s.cell[i] + at);
+          sums[a][0] += w * value;
+          for (int b = 0; b < D; ++b) sums[a][1 + b] += slope[b] * value;
+        }
+      });
+      for (int a = 0; a < D; ++a) {
+        double of_particle[1 + D];
+        for (int b = 0; b <= D; ++b) of_particle[b] = sum(sums[a][b]);
+        put(i, a, of_particle);
+      }
+    }
+  }
 }
 
 /// Of one vector at the particles.
 template <class Stencil, Layout L>
 __attribute__((always_inline)) inline void gather_vector(Block& block, NodeVector vector, BlockArray* out) {
-  constexpr int D = L.dimensions;
-  using Row = typename Stencil::Row;
-  Scratch& s = *block.scratch;
-  for (int i = 0; i < block.count; ++i) {
-    const double* nodes = values_of<L>(s, vector, i);
-    Row value[D] = {};
-    Stencil(s, i).for_each_row([&](int at, Row w, const Row*) __attribute__((always_inline)) {
-      for (int a = 0; a < D; ++a) value[a] += w * load<Row>(nodes + a * L.window_nodes + at);
-    });
-    for (int a = 0; a < D; ++a) out[a][i] = sum(value[a]);
-  }
+  gather<Stencil, L>(
+      block, vector, [out](int i, int a, const auto& sums) __attribute__((always_inline)) {
+        store(out[a].values + i, sums[0]);
+      });
 }
 
 template <class Stencil, Layout L>
@@ -41,20 +75,12 @@ inline void gather_velocity(Block& block) {
 template <class Stencil, Layout L>
 inline void gather_gradient(Block& block) {
   constexpr int D = L.dimensions;
-  using Row = typename Stencil::Row;
-  Scratch& s = *block.scratch;
   const double per_cell = block.sweep->inverse_cell;
-  for (int i = 0; i < block.count; ++i) {
-    const double* nodes = values_of<L>(s, node_mapped_velocity, i);
-    Row gradient[D * D] = {};
-    Stencil(s, i).for_each_row([&](int at, Row, const Row* slope) __attribute__((always_inline)) {
-      for (int a = 0; a < D; ++a) {
-        const Row value = load<Row>(nodes + a * L.window_nodes + at);
-        for (int b = 0; b < D; ++b) gradient[a * D + b] += slope[b] * value;
-      }
-    });
-    for (int ab = 0; ab < D * D; ++ab) s.gradient[ab][i] = per_cell * sum(gradient[ab]);
-  }
+  BlockArray* gradient = block.scratch->gradient;
+  gather<Stencil, L>(
+      block, node_mapped_velocity, [=](int i, int a, const auto& sums) __attribute__((always_inline)) {
+        for (int b = 0; b < D; ++b) store(gradient[a * D + b].values + i, per_cell * sums[1 + b]);
+      });
 }
 
 /// Velocity of the grid, and gradient of the one that is for gradients.
@@ -67,16 +93,14 @@ inline void gather_motion(Block& block) {
 /// Axisymmetric: hoop strain rate of the velocity that is for gradients.
 template <class Stencil, Layout L>
 inline void gather_hoop(Block& block) {
-  using Row = typename Stencil::Row;
-  Scratch& s = *block.scratch;
+  BlockArray& hoop = block.scratch->gradient_rest;
   const double* radius = block[Attribute::position_x];
-  for (int i = 0; i < block.count; ++i) {
-    const double* nodes = values_of<L>(s, node_mapped_velocity, i);
-    Row value{};
-    Stencil(s, i).for_each_row([&](int at, Row w, const Row*)
-                                   __attribute__((always_inline)) { value += w * load<Row>(nodes + at); });
-    s.gradient_rest[i] = sum(value) / radius[i];
-  }
+  gather<Stencil, L>(
+      block, node_mapped_velocity, [&](int i, int a, const auto& sums) __attribute__((always_inline)) {
+        if (a == 0) store(hoop.values + i, sums[0]);
+      });
+#pragma GCC ivdep
+  for (int i = 0; i < block.count; ++i) hoop[i] /= radius[i];
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

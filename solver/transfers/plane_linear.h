@@ -2,6 +2,7 @@
 
 #include "solver/shapes/linear.h"
 #include "solver/transfers/locate.h"
+#include "solver/transfers/runs.h"
 
 /// Bilinear shape functions of plane scenes by themselves: particles are ordered by cell, and what is the same
 /// for a run of consecutive particles in one cell is done once.
@@ -24,18 +25,6 @@ struct PlaneLinearValue {
 inline void locate_in_cells(Block& block) {
   locate_along<Linear, plane_linear_layout>(block, 0);
   locate_along<Linear, plane_linear_layout>(block, 1);
-}
-
-/// Calls of(begin, end, cell) for every run of consecutive particles in one cell.
-template <class Function>
-__attribute__((always_inline)) inline void for_each_run(const Block& block, Function&& of) {
-  const std::int64_t* cell = block.scratch->cell;
-  for (int begin = 0; begin < block.count;) {
-    int end = begin + 1;
-    while (end < block.count && cell[end] == cell[begin]) ++end;
-    of(begin, end, cell[begin]);
-    begin = end;
-  }
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

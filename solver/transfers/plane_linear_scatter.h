@@ -32,6 +32,7 @@ inline void scatter_state_plane_linear(Block& block) {
   const double mass = block.body->mass;
   const double* vx = block[Attribute::velocity_x];
   const double* vy = block[Attribute::velocity_y];
+  s.trouble.runs += count_runs(block);
   for_each_run(
       block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {
         Four weight{}, px{}, py{}, forces_x{}, forces_y{};

@@ -1,15 +1,37 @@
 #pragma once
 
+#include "solver/transfers/runs.h"
 #include "solver/transfers/stencil.h"
 
 /// Particles to grid, with any shape functions.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// The sums of one vector, its components one window apart.
-template <Layout L>
-__attribute__((always_inline)) inline double* sums_of(const Block& block, SumVector vector, int i) {
-  return block.sums + quantity(vector, 0, L.dimensions) * L.window_nodes + block.scratch->cell[i];
+/// Adds what particles give to their nodes to so many quantities from `first` on. give(i) is a function that adds
+/// what particle i gives to a row of nodes, of (weights, slopes[D], sums of the row by quantity). The sums of a
+/// run stay in registers until the nodes change.
+template <class Stencil, Layout L, int Quantities, class Give>
+__attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give) {
+  using Row = typename Stencil::Row;
+  const Scratch& s = *block.scratch;
+  double* sums = block.sums + first * L.window_nodes;
+  for_each_run(
+      block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
+        Row of_run[Stencil::rows][Quantities] = {};
+        for (int i = begin; i < end; ++i) {
+          const auto give_row = give(i);
+          int row = 0;
+          Stencil(s, i).for_each_row([&](int, Row w, const Row* slopes)
+                                         __attribute__((always_inline)) { give_row(w, slopes, of_run[row++]); });
+        }
+        int row = 0;
+        Stencil(s, begin).for_each_row([&](int at, Row, const Row*) __attribute__((always_inline)) {
+#pragma GCC unroll 7
+          for (int q = 0; q < Quantities; ++q)
+            Stencil::add_row(sums + q * L.window_nodes + node + at, of_run[row][q]);
+          ++row;
+        });
+      });
 }
 
 /// Mass, momentum and internal force.
@@ -18,36 +40,31 @@ inline void scatter_state(Block& block) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
   Scratch& s = *block.scratch;
-  for (int i = 0; i < block.count; ++i) {
-    const double mass = block.mass(i);
-    double momentum[D], force[D * D];
-    for (int a = 0; a < D; ++a) momentum[a] = mass * block.component(Attribute::velocity_x, a)[i];
-    for (int a = 0; a < D * D; ++a) force[a] = -s.force[a][i];
-    double* masses = block.sums + s.cell[i];
-    double* momenta = sums_of<L>(block, sum_momentum, i);
-    double* forces = sums_of<L>(block, sum_force, i);
-    Stencil(s, i).for_each_row([&](int at, Row w, const Row* slope) __attribute__((always_inline)) {
-      add(masses + at, w * mass);
-      for (int a = 0; a < D; ++a) {
-        add(momenta + a * L.window_nodes + at, w * momentum[a]);
-        Row f = slope[0] * force[a * D];
-        for (int b = 1; b < D; ++b) f += slope[b] * force[a * D + b];
-        add(forces + a * L.window_nodes + at, f);
-      }
-    });
-  }
+  s.trouble.runs += count_runs(block);
+  scatter<Stencil, L, quantities(2, D)>(
+      block, quantity_mass, [&](int i) __attribute__((always_inline)) {
+        return [&, i ](Row w, const Row* slope, Row* sums) __attribute__((always_inline)) {
+          const Row m = w * block.mass(i);
+          sums[quantity_mass] += m;
+#pragma GCC unroll 3
+          for (int a = 0; a < D; ++a) {
+            sums[quantity(sum_momentum, a, D)] += m * block.component(Attribute::velocity_x, a)[i];
+#pragma GCC unroll 3
+            for (int b = 0; b < D; ++b) sums[quantity(sum_force, a, D)] -= slope[b] * s.force[a * D + b][i];
+          }
+        };
+      });
 }
 
 template <class Stencil, Layout L>
 inline void scatter_mass(Block& block) {
   using Row = typename Stencil::Row;
-  for (int i = 0; i < block.count; ++i) {
-    const double mass = block.mass(i);
-    double* sums = block.sums + block.scratch->cell[i];
-    Stencil(*block.scratch, i).for_each_row([&](int at, Row w, const Row*) __attribute__((always_inline)) {
-      add(sums + at, w * mass);
-    });
-  }
+  scatter<Stencil, L, 1>(
+      block, quantity_mass, [&](int i) __attribute__((always_inline)) {
+        return [&, i ](Row w, const Row*, Row* sums) __attribute__((always_inline)) {
+          *sums += w * block.mass(i);
+        };
+      });
 }
 
 /// A vector that particles of mass m have, times m.
@@ -55,15 +72,14 @@ template <class Stencil, Layout L, class Value>
 __attribute__((always_inline)) inline void scatter_vector(Block& block, SumVector vector, Value&& value) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
-  for (int i = 0; i < block.count; ++i) {
-    const double mass = block.mass(i);
-    double weighted[D];
-    for (int a = 0; a < D; ++a) weighted[a] = mass * value(a, i);
-    double* sums = sums_of<L>(block, vector, i);
-    Stencil(*block.scratch, i).for_each_row([&](int at, Row w, const Row*) __attribute__((always_inline)) {
-      for (int a = 0; a < D; ++a) add(sums + a * L.window_nodes + at, w * weighted[a]);
-    });
-  }
+  scatter<Stencil, L, D>(
+      block, quantity(vector, 0, D), [&](int i) __attribute__((always_inline)) {
+        return [&, i ](Row w, const Row*, Row* sums) __attribute__((always_inline)) {
+          const Row m = w * block.mass(i);
+#pragma GCC unroll 3
+          for (int a = 0; a < D; ++a) sums[a] += m * value(a, i);
+        };
+      });
 }
 
 /// Momentum alone, for the second mapping of MUSL.
@@ -89,12 +105,11 @@ inline void scatter_hoop(Block& block) {
   using Row = typename Stencil::Row;
   Scratch& s = *block.scratch;
   const double* radius = block[Attribute::position_x];
-  for (int i = 0; i < block.count; ++i) {
-    const double force = -s.virial_rest[i] / radius[i];
-    double* sums = sums_of<L>(block, sum_force, i);
-    Stencil(s, i).for_each_row([&](int at, Row w, const Row*)
-                                   __attribute__((always_inline)) { add(sums + at, w * force); });
-  }
+  scatter<Stencil, L, 1>(
+      block, quantity(sum_force, 0, L.dimensions), [&](int i) __attribute__((always_inline)) {
+        const double force = s.virial_rest[i] / radius[i];
+        return [force](Row w, const Row*, Row* sums) __attribute__((always_inline)) { *sums -= w * force; };
+      });
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -18,12 +18,17 @@ struct ShapeSlopes {
 template <int Nodes, Layout L, class Slopes = ShapeSlopes>
 struct ProductStencil {
   static constexpr int D = L.dimensions;
-  using Row = std::conditional_t<Nodes == 2, Pair, Four>;
+  static constexpr int rows = D == 1 ? 1 : D == 2 ? Nodes : Nodes * Nodes;
+  using Row = Four;
 
   __attribute__((always_inline)) ProductStencil(const Scratch& s, int i) : scratch(s), particle(i) {
     weight_x = row(s.weight[0]);
     slope_x = row(Slopes::along(s, 0));
   }
+
+  /// Which node of its row a lane is.
+  static constexpr int offset(int lane) { return lane; }
+  __attribute__((always_inline)) static void add_row(double* to, Row row) { add(to, row); }
 
   /// Calls of(index of the row's first node from the stencil's first one, weights, slopes[D]).
   template <class Function>
@@ -64,6 +69,61 @@ struct ProductStencil {
   const Scratch& scratch;
   int particle;
   Row weight_x, slope_x;
+};
+
+/// Two nodes along each axis: all corners of a cell are one row.
+template <Layout L, class Slopes>
+struct ProductStencil<2, L, Slopes> {
+  static constexpr int D = L.dimensions, rows = 1;
+  using Row = std::conditional_t<D == 1, Pair, std::conditional_t<D == 2, Four, Eight>>;
+
+  __attribute__((always_inline)) ProductStencil(const Scratch& s, int i) {
+#pragma GCC unroll 3
+    for (int axis = 0; axis < D; ++axis) {
+      const double place = s.place[axis].values[i];
+      factor[axis] = along(axis, 1 - place, place);
+      if constexpr (std::is_same_v<Slopes, ShapeSlopes>)
+        slope[axis] = along(axis, -1, 1);
+      else
+        slope[axis] = along(axis, Slopes::along(s, axis)[0].values[i], Slopes::along(s, axis)[1].values[i]);
+    }
+  }
+
+  static constexpr int offset(int lane) {
+    int sum = 0;
+    for (int axis = 0; axis < D; ++axis) sum += (lane >> axis & 1) * L.window_stride(axis);
+    return sum;
+  }
+  __attribute__((always_inline)) static void add_row(double* to, Row row) {
+#pragma GCC unroll 4
+    for (int lane = 0; lane < 1 << D; lane += 2) add(to + offset(lane), Pair{row[lane], row[lane + 1]});
+  }
+
+  template <class Function>
+  __attribute__((always_inline)) void for_each_row(Function&& of) const {
+    if constexpr (D == 1) {
+      of(0, factor[0], slope);
+    } else if constexpr (D == 2) {
+      const Row slopes[2] = {slope[0] * factor[1], factor[0] * slope[1]};
+      of(0, factor[0] * factor[1], slopes);
+    } else {
+      const Row xy = factor[0] * factor[1];
+      const Row slopes[3] = {slope[0] * (factor[1] * factor[2]), slope[1] * (factor[0] * factor[2]),
+                             slope[2] * xy};
+      of(0, xy * factor[2], slopes);
+    }
+  }
+
+ private:
+  /// One value for the lower corners along an axis, one for the upper ones.
+  __attribute__((always_inline)) static Row along(int axis, double lower, double upper) {
+    Row row;
+#pragma GCC unroll 8
+    for (int lane = 0; lane < 1 << D; ++lane) row[lane] = lane >> axis & 1 ? upper : lower;
+    return row;
+  }
+
+  Row factor[D], slope[D];
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -24,6 +24,12 @@ template <class Vector>
 __attribute__((always_inline)) inline void add(double* to, Vector value) {
   store(to, load<Vector>(to) + value);
 }
+/// A pointer of which the compiler forgets where it comes from: it would keep the addresses of all that is read by
+/// it in registers that there are not.
+__attribute__((always_inline)) inline const double* hidden(const double* p) {
+  asm("" : "+r"(p));
+  return p;
+}
 __attribute__((always_inline)) inline double sum(Pair v) { return v[0] + v[1]; }
 __attribute__((always_inline)) inline double sum(Four v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 

@@ -18,77 +18,83 @@ struct Overlap {
         shift(layout.below - offset * layout.side) {}
 };
 
+/// A tile's nodes along x.
+template <Layout L>
+using TileRow = std::conditional_t<L.dimensions == 2, Eight, Four>;
+
+/// What a row of nodes gets of the windows of its tile (`middle`) and of those to the left and right; each points
+/// at the window's row.
+template <Layout L>
+__attribute__((always_inline)) inline TileRow<L> add_row(const double* left, const double* middle,
+                                                         const double* right, TileRow<L> sum) {
+  constexpr int side = L.side;
+  TileRow<L> outer{};
+#pragma GCC unroll 4
+  for (int i = 0; i < L.above; ++i) outer[i] = left[L.below + side + i];
+#pragma GCC unroll 4
+  for (int i = 0; i < L.below; ++i) outer[side - L.below + i] += right[i];
+  return sum + load<TileRow<L>>(middle + L.below) + outer;
+}
+
 /// Adds one quantity of all windows around to `out`, which has tile_nodes entries.
 template <Layout L>
 inline void collect(const Neighbours& sums, int which, double* __restrict out) {
-  constexpr int D = L.dimensions;
+  const auto covers = [](int at, int offset) {
+    return at >= Overlap(L, offset).begin && at < Overlap(L, offset).end;
+  };
+  for (int k = 0; k < (L.dimensions > 2 ? L.side : 1); ++k)
+    for (int j = 0; j < L.side; ++j) {
+      TileRow<L> sum{};
+      for (int z = L.dimensions > 2 ? -1 : 0; z <= (L.dimensions > 2 ? 1 : 0); ++z) {
+        if (L.dimensions > 2 && !covers(k, z)) continue;
+        for (int y = -1; y <= 1; ++y) {
+          if (!covers(j, y)) continue;
+          const double* const* from = &sums[(L.dimensions > 2 ? 9 * (z + 1) : 0) + 3 * (y + 1)];
+          int at = which * L.window_nodes + (j + Overlap(L, y).shift) * L.window_stride(1);
+          if (L.dimensions > 2) at += (k + Overlap(L, z).shift) * L.window_stride(2);
+          sum = add_row<L>(from[0] + at, from[1] + at, from[2] + at, sum);
+        }
+      }
+      store(out + j * L.tile_stride(1) + k * L.tile_stride(2), sum);
+    }
+}
+
+template <Layout L>
+requires(L.dimensions == 1) inline void collect(const Neighbours& sums, int which, double* __restrict out) {
   for (int i = 0; i < tile_nodes; ++i) out[i] = 0;
   for (int n = 0; n < L.neighbours; ++n) {
-    const double* from = sums[n] + which * L.window_nodes;
-    const Overlap x(L, n % 3 - 1), y(L, n / 3 % 3 - 1), z(L, n / 9 - 1);
-    for (int k = D > 2 ? z.begin : 0; k < (D > 2 ? z.end : 1); ++k)
-      for (int j = D > 1 ? y.begin : 0; j < (D > 1 ? y.end : 1); ++j) {
-        const double* row = from + x.shift;
-        if constexpr (D > 1) row += (j + y.shift) * L.window_stride(1);
-        if constexpr (D > 2) row += (k + z.shift) * L.window_stride(2);
-        double* to = out + j * L.tile_stride(1) + k * L.tile_stride(2);
-        for (int i = x.begin; i < x.end; ++i) to[i] += row[i];
-      }
+    const Overlap x(L, n - 1);
+    const double* row = sums[n] + which * L.window_nodes + x.shift;
+    for (int i = x.begin; i < x.end; ++i) out[i] += row[i];
   }
 }
 
-/// As above. Of the window of the tile to the left, columns 9 and 10 are this tile's columns 0 and 1, of the
-/// one to the right column 0 is this tile's column 7; rows likewise.
-template <>
-inline void collect<Layout{2, false}>(const Neighbours& sums, int which, double* __restrict out) {
-  constexpr Layout layout{2, false};
-  constexpr int side = layout.side;
-  const auto add_row = [&](int n, int row, Eight sum) __attribute__((always_inline)) {
-    const int at = which * layout.window_nodes + row * layout.window_side;
-    const double* left = sums[n] + at;
-    const double* right = sums[n + 2] + at;
-    sum += Eight{left[side + 1], left[side + 2], 0, 0, 0, 0, 0, 0};
-    sum += load<Eight>(sums[n + 1] + at + 1);
-    sum += Eight{0, 0, 0, 0, 0, 0, 0, right[0]};
-    return sum;
-  };
-  for (int j = 0; j < side; ++j) {
-    Eight sum{};
-    if (j < 2) sum = add_row(0, j + side + 1, sum);
-    sum = add_row(3, j + 1, sum);
-    if (j == side - 1) sum = add_row(6, 0, sum);
-    store(out + j * side, sum);
-  }
-}
+/// Along one axis: which of three tiles a row of a window's nodes belongs to, and which of its rows that is.
+struct RowOfTile {
+  int tile, row;
+  constexpr RowOfTile(const Layout& layout, int window_row)
+      : tile((window_row - layout.below + layout.side) / layout.side),
+        row((window_row - layout.below + layout.side) % layout.side) {}
+};
 
 /// Copies what a tile and its neighbours hold into a window. `mask`: bits of the quantities.
 template <Layout L>
 inline void load_window(double* window, const Neighbours& nodes, unsigned mask) {
-  constexpr int D = L.dimensions;
+  constexpr int D = L.dimensions, side = L.side;
   for (int q = 0; mask >> q; ++q) {
     if (!(mask >> q & 1u)) continue;
-    for (int n = 0; n < L.neighbours; ++n) {
-      const double* from = nodes[n] + q * tile_nodes;
-      // Seen from the neighbour, this tile lies on the other side.
-      const int side_x = n % 3 - 1, side_y = n / 3 % 3 - 1, side_z = n / 9 - 1;
-      const auto first = [](int s) { return s > 0 ? L.below + L.side : s < 0 ? 0 : L.below; };
-      const auto count = [](int s) { return s > 0 ? L.above : s < 0 ? L.below : L.side; };
-      const auto source = [](int s) { return s < 0 ? L.side - L.below : 0; };
-      for (int k = 0; k < (D > 2 ? count(side_z) : 1); ++k)
-        for (int j = 0; j < (D > 1 ? count(side_y) : 1); ++j) {
-          const double* row = from + source(side_x);
-          double* to = window + q * L.window_nodes + first(side_x);
-          if constexpr (D > 1) {
-            row += (source(side_y) + j) * L.tile_stride(1);
-            to += (first(side_y) + j) * L.window_stride(1);
-          }
-          if constexpr (D > 2) {
-            row += (source(side_z) + k) * L.tile_stride(2);
-            to += (first(side_z) + k) * L.window_stride(2);
-          }
-          for (int i = 0; i < count(side_x); ++i) to[i] = row[i];
-        }
-    }
+    double* to = window + q * L.window_nodes;
+    for (int k = 0; k < (D > 2 ? L.window_side : 1); ++k)
+      for (int j = 0; j < (D > 1 ? L.window_side : 1); ++j, to += L.window_side) {
+        const RowOfTile y(L, j), z(L, k);
+        const double* const* from = &nodes[(D > 2 ? 9 * z.tile : 0) + (D > 1 ? 3 * y.tile : 0)];
+        int at = q * tile_nodes;
+        if constexpr (D > 1) at += y.row * L.tile_stride(1);
+        if constexpr (D > 2) at += z.row * L.tile_stride(2);
+        for (int i = 0; i < L.below; ++i) to[i] = from[0][at + side - L.below + i];
+        for (int i = 0; i < side; ++i) to[L.below + i] = from[1][at + i];
+        for (int i = 0; i < L.above; ++i) to[L.below + side + i] = from[2][at + i];
+      }
   }
 }
 

@@ -42,6 +42,7 @@ std::vector<Case> cases() {
       {{.name = "discs/MUSL/contact", .contact = true}, discs},
       {{.name = "discs/MUSL/gimp", .shape_functions = "gimp"}, discs},
       {{.name = "discs/MUSL/quadratic_bspline", .shape_functions = "quadratic_bspline"}, discs},
+      {{.name = "discs/TLMPM/quadratic_bspline", .scheme = "TLMPM", .shape_functions = "quadratic_bspline"}, discs},
       {{.name = "discs/MUSL/quadratic_bspline/APIC", .shape_functions = "quadratic_bspline", .transfer = "APIC"},
        discs},
       {{.name = "discs/MUSL/cubic_bspline", .shape_functions = "cubic_bspline"}, discs},

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "solver/transfers/stencil.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Several consecutive particles with the same nodes at once, each a lane.
+template <int Nodes, Layout L, class Slopes = ShapeSlopes>
+struct ProductLanes {
+  static constexpr int D = L.dimensions;
+  using Lanes = Four;
+  static constexpr int lanes = sizeof(Lanes) / sizeof(double);
+
+  __attribute__((always_inline)) ProductLanes(const Scratch& s, int first) {
+#pragma GCC unroll 3
+    for (int axis = 0; axis < D; ++axis)
+#pragma GCC unroll 4
+      for (int n = 0; n < Nodes; ++n) {
+        weight[axis][n] = load<Lanes>(s.weight[axis][n].values + first);
+        slope[axis][n] = load<Lanes>(Slopes::along(s, axis)[n].values + first);
+      }
+  }
+
+  /// sums[0]: of what the nodes hold from `nodes` on, times their weights; sums[1 + axis]: times slopes along it.
+  template <int Axes = D>
+  __attribute__((always_inline)) void contract(const double* nodes, Lanes (&sums)[1 + Axes]) const {
+    constexpr int axis = Axes - 1;
+#pragma GCC unroll 4
+    for (int n = 0; n < Nodes; ++n) {
+      if constexpr (axis == 0) {
+        sums[0] = n == 0 ? weight[0][n] * nodes[n] : sums[0] + weight[0][n] * nodes[n];
+        sums[1] = n == 0 ? slope[0][n] * nodes[n] : sums[1] + slope[0][n] * nodes[n];
+      } else {
+        Lanes inner[Axes];
+        contract<axis>(nodes + n * L.window_stride(axis), inner);
+#pragma GCC unroll 3
+        for (int s = 0; s < Axes; ++s)
+          sums[s] = n == 0 ? weight[axis][n] * inner[s] : sums[s] + weight[axis][n] * inner[s];
+        sums[Axes] = n == 0 ? slope[axis][n] * inner[0] : sums[Axes] + slope[axis][n] * inner[0];
+      }
+    }
+  }
+
+ private:
+  Lanes weight[D][Nodes], slope[D][Nodes];
+};
+
+template <class Stencil>
+struct LanesOf {
+  static constexpr bool exist = false;
+};
+template <int Nodes, Layout L, class Slopes>
+struct LanesOf<ProductStencil<Nodes, L, Slopes>> {
+  static constexpr bool exist = true;
+  using Type = ProductLanes<Nodes, L, Slopes>;
+};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan
