@@ -9,6 +9,7 @@ namespace trajan::accuracy {
 namespace {
 
 constexpr double lowest_order = 0.5;
+constexpr double cautious_order = 1;
 constexpr double agreement = 0.1;
 
 /// Of the largest magnitude: what long sums of doubles lose.
@@ -78,11 +79,11 @@ Estimate estimate(std::span<const Level> levels) {
   const Behaviour behaviour = monotone ? Behaviour::monotone : Behaviour::oscillating;
   if (*order < lowest_order) return no_claim(behaviour, order, "it converges too slowly");
   const bool asymptotic = monotone && (near(*order, expected_order) || orders_agree(levels, *order));
-  const double used = std::min(*order, expected_order);
-  const double distance = remaining(middle, fine, used);
+  if (!monotone) return {behaviour, order, false, fine.value, cautious_factor * std::abs(before), {}};
+  const double extrapolated = fine.value + remaining(middle, fine, std::min(*order, expected_order));
+  const double trusted = std::min(*order, asymptotic ? expected_order : cautious_order);
   const double factor = asymptotic ? asymptotic_factor : cautious_factor;
-  return {behaviour, order, asymptotic, monotone ? fine.value + distance : fine.value, factor * std::abs(distance),
-          {}};
+  return {behaviour, order, asymptotic, extrapolated, factor * std::abs(remaining(middle, fine, trusted)), {}};
 }
 
 }  // namespace trajan::accuracy
