@@ -82,6 +82,11 @@ void print_trade(std::ostream& out, const v1::Study& study) {
   if (trade.has_reference_band()) out << fmt::format(" +- {:.2g}", trade.reference_band());
   out << ":\n";
   print_table(out, cheapest_table(study), OutputFormat::table);
+  std::map<std::string, int> failures;
+  for (const v1::Run& run : study.runs()) {
+    if (run.has_failure()) ++failures[run.failure().reason()];
+  }
+  for (const auto& [reason, count] : failures) out << fmt::format("\n{} runs failed: {}\n", count, reason);
   int left_out = 0;
   for (const v1::Skipped& skipped : trade.skipped()) left_out += skipped.combinations();
   if (left_out > 0) out << fmt::format("\n{} combinations are not valid:\n", left_out);

@@ -33,16 +33,20 @@ v1::Setting setting(const std::string& name, const std::vector<std::string>& cha
   return result;
 }
 
+/// Whether a constant "cell" stands for the cell size, as in exact values that depend on it.
+bool is_cell_size(const v1::Scene& scene, const v1::Constant& constant) {
+  char* end = nullptr;
+  const bool is_equal = std::strtod(constant.value().c_str(), &end) == scene.domain().cell_size() && *end == '\0';
+  return constant.name() == "cell" && is_equal;
+}
+
 /// Another cell size, with all that the scene has in proportion to it.
 v1::Setting with_cell_size(const v1::Scene& scene, double cell_size) {
   const double before = scene.domain().cell_size();
   const double ratio = cell_size / before;
   std::vector<std::string> changes{"domain.cell_size=" + exact_text(cell_size)};
   for (int i = 0; i < scene.constants_size(); ++i) {
-    char* end = nullptr;
-    const std::string& text = scene.constants(i).value();
-    const bool is_cell_size = std::strtod(text.c_str(), &end) == before && *end == '\0';
-    if (scene.constants(i).name() == "cell" && is_cell_size)
+    if (is_cell_size(scene, scene.constants(i)))
       changes.push_back("constants[" + std::to_string(i) + "].value=" + exact_text(cell_size));
   }
   if (scene.numerics().has_time_step())
@@ -139,8 +143,10 @@ v1::Dial ladder_dial(const v1::Scene& scene, const v1::Ladder& ladder) {
 }
 
 google::protobuf::RepeatedPtrField<v1::Dial> default_dials(const v1::Scene& scene) {
+  const bool depends = std::ranges::any_of(
+      scene.constants(), [&](const v1::Constant& constant) { return is_cell_size(scene, constant); });
   v1::Ladder ladder;
-  ladder.set_finest(scene.domain().cell_size() / 2);
+  if (!depends) ladder.set_finest(scene.domain().cell_size() / 2);
   google::protobuf::RepeatedPtrField<v1::Dial> dials;
   v1::Dial& methods = *dials.Add();
   methods.set_name("method");

@@ -163,6 +163,9 @@ TEST(StudyPlan, TriesMethodsOnThreeGridsIfATradeoffNamesNoDials) {
   for (const store::PlannedRun& planned : plan.runs)
     kinds.insert(planned.scene.analysis().has_implicit_dynamics() ? "implicit" : "explicit");
   EXPECT_EQ(kinds.size(), 2U);
+  EXPECT_EQ(plan.runs[2].scene.domain().cell_size(), 0.5) << "no finer than an exact value that depends on it";
+  request.mutable_scene()->clear_constants();
+  EXPECT_EQ(plan_study(request).runs[2].scene.domain().cell_size(), 0.25);
 }
 
 }  // namespace
