@@ -7,6 +7,18 @@ namespace {
 
 Constant to_constant(const v1::Constant& message) { return {message.name(), message.value()}; }
 
+ParticleLayout to_particle_layout(int value) {
+  switch (value) {
+    case v1::Body::PARTICLE_LAYOUT_UNSPECIFIED:
+    case v1::Body::UNIFORM:
+      return ParticleLayout::uniform;
+    case v1::Body::GAUSS:
+      return ParticleLayout::gauss;
+    default:
+      return ParticleLayout::unspecified;
+  }
+}
+
 BodyDefinition to_body(const v1::Body& message) {
   BodyDefinition body;
   body.name = message.name();
@@ -16,6 +28,7 @@ BodyDefinition to_body(const v1::Body& message) {
   body.initial_velocity = to_vector_expression(message.initial_velocity());
   body.initial_stress = to_symmetric_tensor_expression(message.initial_stress());
   body.initial_deformation = to_tensor_expression(message.initial_deformation());
+  body.particle_layout = to_particle_layout(message.particle_layout());
   return body;
 }
 

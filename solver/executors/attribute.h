@@ -48,7 +48,7 @@ enum class Attribute : std::uint8_t {
   history_5,
   history_6,
   history_7,
-  reference_volume,  ///< only where a body's particles differ in it: axisymmetric, per radian
+  reference_volume,  ///< only where a body's particles differ in it; axisymmetric: per radian
   load_x,            ///< acceleration by loads that differ from particle to particle
   load_y,
   load_z,

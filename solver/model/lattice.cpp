@@ -1,7 +1,10 @@
 #include "solver/model/lattice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "solver/model/geometry.h"
 
@@ -58,6 +61,23 @@ Lattice fill(const Region& region, Vector origin, double spacing, int axes) {
   return lattice;
 }
 
+/// Gauss and Legendre's points between -1 and 1, ascending, and their weights (Abramowitz and Stegun
+/// 1964, 25.4.29), by Newton's method from their asymptotic places.
+std::vector<std::array<double, 2>> gauss_rule(int n) {
+  std::vector<std::array<double, 2>> rule;
+  for (int i = n; i > 0; --i) {
+    double x = std::cos(std::numbers::pi * (i - 0.25) / (n + 0.5)), slope = 1;
+    for (int round = 0; round < 10; ++round) {
+      double before = 1, value = x;
+      for (int k = 2; k <= n; ++k) before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
+      slope = n * (x * value - before) / (x * x - 1);
+      x -= value / slope;
+    }
+    rule.push_back({x, 2 / ((1 - x * x) * slope * slope)});
+  }
+  return rule;
+}
+
 }  // namespace
 
 Lattice::Ranges Lattice::columns_in_row(std::int64_t row) const {
@@ -87,6 +107,21 @@ void Lattice::number_points() {
     if (row % stride_ == 0) starts_.push_back(count_);
     for (const Range& range : columns_in_row(row)) count_ += range.end - range.begin;
   }
+}
+
+void Lattice::place_at_gauss_points(int particles_per_cell_side) {
+  const double n = particles_per_cell_side;
+  for (const auto& [place, weight] : gauss_rule(particles_per_cell_side)) {
+    offsets.push_back(0.5 * (1 + place) * n - 0.5 - static_cast<double>(offsets.size()));
+    shares.push_back(0.5 * weight * n);
+  }
+}
+
+double Lattice::share(std::int64_t number, int axes) const {
+  if (shares.empty()) return 1;
+  const auto of = [this](std::int64_t i) { return shares[static_cast<std::size_t>(i) % shares.size()]; };
+  const std::int64_t row = number / columns;
+  return of(number % columns) * (axes > 1 ? of(row % rows) : 1.0) * (axes > 2 ? of(row / rows) : 1.0);
 }
 
 Vector Lattice::point_of(std::int64_t number) const {

@@ -8,9 +8,9 @@
 namespace trajan {
 
 /// The reference positions of a body's particles: the points first + (i, j, k) * spacing, 0 <= i < columns,
-/// 0 <= j < rows, 0 <= k < planes, that lie in the geometry. A box holds all of them. Numbering goes row by
-/// row and plane by plane. Rows are counted over all planes: row j of plane k is number k * rows + j. Along an
-/// axis that the dimension does not have there is one point, at 0.
+/// 0 <= j < rows, 0 <= k < planes, that lie in the geometry, or points near them. A box holds all of them.
+/// Numbering goes row by row and plane by plane. Rows are counted over all planes: row j of plane k is number k *
+/// rows + j. Along an axis that the dimension does not have there is one point, at 0.
 class Lattice {
  public:
   Vector first;
@@ -19,6 +19,13 @@ class Lattice {
   std::int64_t rows = 1;
   std::int64_t planes = 1;
   Region geometry;
+  /// Along each axis, of the points of a cell: how far they lie off the even places, in spacings, and their shares
+  /// of the volume, which are 1 on average. Empty: points are even.
+  std::vector<double> offsets, shares;
+  /// More spacings than any point lies off its even place, 0 of even points.
+  std::int64_t unevenness() const { return offsets.empty() ? 0 : 2; }
+  /// Moves the points of a box whose sides lie between cells to those of Gauss and Legendre's rule in each cell.
+  void place_at_gauss_points(int particles_per_cell_side);
 
   /// Half-open range of columns.
   struct Range {
@@ -30,10 +37,16 @@ class Lattice {
   Ranges columns_in_row(std::int64_t row) const;
   std::int64_t row_count() const { return rows * planes; }
   Vector point(std::int64_t column, std::int64_t row) const {
-    return {first.x + static_cast<double>(column) * spacing.x,
-            first.y + static_cast<double>(row % rows) * spacing.y,
-            first.z + static_cast<double>(row / rows) * spacing.z};
+    return {first.x + even(column) * spacing.x, first.y + even(row % rows) * spacing.y,
+            first.z + even(row / rows) * spacing.z};
   }
+  /// A point's place along an axis, in spacings from the first even one.
+  double even(std::int64_t i) const {
+    return static_cast<double>(i) +
+           (offsets.empty() ? 0.0 : offsets[static_cast<std::size_t>(i) % offsets.size()]);
+  }
+  /// The volume of the particle of this number, over the mean.
+  double share(std::int64_t number, int axes) const;
   /// Number of points.
   std::int64_t count() const { return count_; }
   /// Calls visit(number from 0 on, point) for all points in order.

@@ -49,8 +49,8 @@ struct Body {
   Lattice lattice;
   std::int64_t first_particle = 0;
   std::int64_t particles = 0;
-  /// Reference volume of each particle, thickness or cross-section included; in an axisymmetric scene the
-  /// area, to be multiplied by the particle's radius.
+  /// Mean reference volume of a particle, thickness or cross-section included; in an axisymmetric scene the
+  /// area, to be multiplied by the particle's radius. A particle has its share of the lattice.
   /// With an initial deformation it is that of the stress-free state.
   double particle_volume = 0;
   std::optional<Expression> velocity_x;  ///< of the position; empty: 0

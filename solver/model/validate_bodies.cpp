@@ -23,6 +23,9 @@ double particle_volume(const Lattice& lattice, int axes, double thickness) {
   return volume;
 }
 
+/// Into which shape functions cut it, along an axis.
+int parts_of_a_cell(const Scene& scene) { return scene.numerics.shape_functions == "quadratic_bspline" ? 2 : 1; }
+
 }  // namespace
 
 std::string Validator::box_text(const Box& box) const {
@@ -51,6 +54,8 @@ bool Validator::check_body(const std::string& path, const BodyDefinition& defini
   const bool side =
       violations_.within(path + ".particles_per_cell_side", definition.particles_per_cell_side, 1, 16);
   const bool geometry = check_region(path + ".geometry", definition.geometry, true);
+  if (definition.particle_layout == ParticleLayout::unspecified)
+    violations_.add(path + ".particle_layout", "", "there is no such layout", "choose UNIFORM or GAUSS");
   const bool filled = side && geometry && grid_complete_ && fill_body(path, definition, body);
   Vector place;
   if (filled) {
@@ -89,6 +94,10 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
     return too_many(path, size.points);
   body.lattice = make_lattice(geometry, grid.origin, grid.cell, definition.particles_per_cell_side, axes());
   body.lattice.number_points();
+  if (definition.particle_layout == ParticleLayout::gauss) {
+    if (!check_gauss_layout(path + ".particle_layout", definition)) return false;
+    body.lattice.place_at_gauss_points(definition.particles_per_cell_side / parts_of_a_cell(scene_));
+  }
   body.particles = body.lattice.count();
   const double particles = static_cast<double>(body.particles);
   if (particles + static_cast<double>(body.first_particle) > most_particles) {
@@ -105,6 +114,38 @@ bool Validator::fill_body(const std::string& path, const BodyDefinition& definit
                            "its size gives particles without a finite volume", "give units of less extreme size");
   }
   return true;
+}
+
+bool Validator::check_gauss_layout(const std::string& path, const BodyDefinition& definition) {
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    return violations_.add(path, "GAUSS", problem, remedy + ", or choose UNIFORM");
+  };
+  bool good = true;
+  if (std::holds_alternative<ExplicitDynamics>(scene_.analysis.kind) ||
+      std::holds_alternative<Relaxation>(scene_.analysis.kind))
+    good = refuse("explicit steps take the particles of a body for equally heavy",
+                  "choose an analysis that solves for displacements, for example modal");
+  else if (scene_.numerics.scheme != "TLMPM")
+    good = refuse("in the updated configuration particles leave the places that their weights belong to",
+                  "choose numerics.scheme: \"TLMPM\"");
+  if (scene_.numerics.shape_functions == "gimp")
+    good = refuse("\"gimp\" takes particles for boxes of one size",
+                  "choose numerics.shape_functions: \"linear\", \"bernstein\" or a B-spline");
+  if (definition.particles_per_cell_side % parts_of_a_cell(scene_) != 0)
+    good =
+        refuse("\"quadratic_bspline\" functions change in the middle of cells, and the points fill halves of them",
+               "give an even number of particles_per_cell_side");
+  const auto* box = std::get_if<Box>(&definition.geometry);
+  if (!box) return refuse("the points belong to whole cells, and only a box is made of such", "give a box");
+  for (int axis = 0; axis < axes(); ++axis)
+    for (const Vector* side : {&box->lower, &box->upper}) {
+      const double cells = ((*side).*component[axis] - model_.grid.origin.*component[axis]) / model_.grid.cell;
+      if (std::abs(cells - std::round(cells)) <= node_tolerance) continue;
+      return refuse(
+          std::string("along ") + axis_names[axis] + " the box cuts cells, and the points fill whole ones",
+          "give sides that lie between cells");
+    }
+  return good;
 }
 
 bool Validator::too_many(const std::string& path, double particles) {

@@ -36,6 +36,7 @@ class Validator : private Checks {
   const MaterialKind* law_of(const Body& body) const;  ///< nullptr: not known
   bool too_many(const std::string& path, double particles);
   bool fill_body(const std::string& path, const BodyDefinition& definition, Body& body);
+  bool check_gauss_layout(const std::string& path, const BodyDefinition& definition);
   std::string box_text(const Box& box) const;
   void check_boundaries();
   void check_contacts();

@@ -51,6 +51,8 @@ struct MaterialDefinition {
   std::optional<std::map<std::string, double>> damage = {};  ///< parameters of Weibull damage on top of the law
 };
 
+enum class ParticleLayout { unspecified, uniform, gauss };
+
 struct BodyDefinition {
   std::string name;
   std::string material;
@@ -59,6 +61,7 @@ struct BodyDefinition {
   VectorExpression initial_velocity;
   SymmetricTensorExpression initial_stress = {};
   TensorExpression initial_deformation = {};
+  ParticleLayout particle_layout = ParticleLayout::uniform;
 };
 
 /// Of transfers that have an order.

@@ -9,7 +9,7 @@ template <class Law, Dimension D, bool TotalLagrangian>
 class FiniteLawStep {
  public:
   static constexpr int N = grid_axes(D);
-  using Particles = LawParticles<Law, D>;
+  using Particles = LawParticles<Law, D, true>;
 
   FiniteLawStep(const Law& law, const Particles& particles, int i, double dt)
       : law_(law), motion_{particles.deformation.at(i)}, history_(particles.history.at(i)), dt_(dt) {}

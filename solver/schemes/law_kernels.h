@@ -59,7 +59,7 @@ struct LawStages {
 
   template <bool TotalLagrangian>
   TRAJAN_FLATTEN static void measure(const Block& block, Totals& totals) {
-    const Particles particles(block);
+    const LawParticles<Law, D, true> particles(block);
     const Law material = law(block);
     double energy = 0, dissipated = 0, fastest = totals.squared_wave_speed;
     for (int i = 0; i < block.count; ++i) {

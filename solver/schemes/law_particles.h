@@ -5,8 +5,8 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// The particles of a block as the law sees them.
-template <class Law, Dimension D>
+/// The particles of a block as the law sees them. Unlike: in any dimension they may differ in reference volume.
+template <class Law, Dimension D, bool Unlike = false>
 struct LawParticles {
   static constexpr int N = grid_axes(D), history_size = history_count<Law>();
   using State = RateState<N, double, history_size>;
@@ -29,6 +29,8 @@ struct LawParticles {
   double reference_volume(int i) const {
     if constexpr (D == Dimension::axisymmetric)
       return reference_volumes[i];
+    else if constexpr (Unlike)
+      return reference_volumes ? reference_volumes[i] : common_volume;
     else
       return common_volume;
   }

@@ -18,7 +18,7 @@ class LawResponder {
   static constexpr int components = N * N + (D == Dimension::axisymmetric ? 1 : 0);
   static constexpr int free_count = rest_is_free(D) ? 3 - N : 0;
   static constexpr int variables = components + free_count;
-  using Particles = LawParticles<Law, D>;
+  using Particles = LawParticles<Law, D, true>;
   using Step = std::conditional_t<Law::rate_form, RateLawStep<Law, D, TotalLagrangian>,
                                   FiniteLawStep<Law, D, TotalLagrangian>>;
   using Variable = Dual<variables>;

@@ -9,7 +9,7 @@ template <class Law, Dimension D, bool TotalLagrangian>
 class RateLawStep {
  public:
   static constexpr int N = grid_axes(D), history_size = history_count<Law>();
-  using Particles = LawParticles<Law, D>;
+  using Particles = LawParticles<Law, D, true>;
 
   RateLawStep(const Law& law, const Particles& particles, int i, double dt)
       : law_(law), motion_{identity<N>()}, state_(particles.state(i)), dt_(dt) {

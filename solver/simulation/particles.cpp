@@ -81,7 +81,8 @@ void fill(BodyParticles& made, const Model& model, const Body& body) {
   if (!made[Attribute::affine_xx].empty()) fill_affine(made, model, body);
   std::vector<double>& reference_volume = made[Attribute::reference_volume];
   for (std::size_t i = 0; i < reference_volume.size(); ++i)
-    reference_volume[i] = body.particle_volume * made[Attribute::position_x][i];
+    reference_volume[i] = body.particle_volume * body.lattice.share(static_cast<std::int64_t>(i), axes) *
+                          (model.dimension == Dimension::axisymmetric ? made[Attribute::position_x][i] : 1.0);
   std::vector<double>& volume = made[Attribute::volume];
   for (std::size_t i = 0; i < volume.size(); ++i)
     volume[i] = reference_volume.empty() ? body.particle_volume : reference_volume[i];
@@ -186,6 +187,8 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   add_vector(velocity_x);
   if (total) add_vector(displacement_x);
   if (model.dimension == Dimension::axisymmetric) add({reference_volume}, "dimension axisymmetric");
+  if (!model.bodies[body].lattice.shares.empty() && model.dimension != Dimension::axisymmetric)
+    add({reference_volume}, "particle layout GAUSS");
   if (find_transfer(model.numerics.transfer)->affine)
     for (int a = 0; a < grid_axes(model.dimension); ++a)
       for (int b = 0; b < grid_axes(model.dimension); ++b)

@@ -96,6 +96,91 @@ TEST(BeamModes, WithSplinesAreAsGoodAsTheParticlesQuadrature) {
     }
 }
 
+/// Frequency of the flexural wave with n half waves along the beam: tan(q/2) / tan(p/2) = -4 k^2 p q / (q^2 -
+/// k^2)^2 (Rayleigh 1888, Lamb 1889; Graff 1975, equation 8.1.65) with imaginary p and q, in plane stress, by
+/// bisection.
+double rayleigh_lamb(int n) {
+  const double k = n * std::numbers::pi / 8, youngs_modulus = 3000, nu = 0.3;
+  const double longitudinal = youngs_modulus / (1 - nu * nu), transverse = youngs_modulus / (2 * (1 + nu));
+  const auto excess = [&](double omega) {
+    const double a = std::sqrt(k * k - omega * omega / longitudinal);
+    const double b = std::sqrt(k * k - omega * omega / transverse);
+    return std::tanh(b / 2) / std::tanh(a / 2) - 4 * k * k * a * b / std::pow(b * b + k * k, 2);
+  };
+  // Euler and Bernoulli's frequency is above, and half of it below; there is a trivial root at 0.
+  double high = k * k * std::sqrt(youngs_modulus / 12), low = 0.5 * high;
+  high = std::min(high, k * std::sqrt(transverse));
+  const bool below = excess(low) > 0;
+  for (int round = 0; round < 200; ++round) {
+    const double middle = 0.5 * (low + high);
+    ((excess(middle) > 0) == below ? low : high) = middle;
+  }
+  return low / (2 * std::numbers::pi);
+}
+
+TEST(BeamModes, HaveTheReferencesFrequencies) {
+  // As many digits as the scene has.
+  EXPECT_NEAR(rayleigh_lamb(1), 0.3785525, 1e-7);
+  EXPECT_NEAR(rayleigh_lamb(2), 1.4177639, 1e-7);
+  EXPECT_NEAR(rayleigh_lamb(3), 2.9169802, 1e-7);
+}
+
+Scene with_gauss_points(Scene scene) {
+  scene.bodies.at(0).particle_layout = ParticleLayout::gauss;
+  scene.numerics.scheme = "TLMPM";
+  return scene;
+}
+
+// Particles at Gauss' points sum up stiffness and mass of full cells exactly; eigenvalues then converge at twice
+// the degree of the functions (Strang and Fix 1973, section 6.3). Splines do not where they are folded at the
+// faces of the domain, as they are at these supports.
+TEST(BeamModes, WithGaussPointsConvergeAtTwiceTheDegreeOfTheShapeFunctions) {
+  for (const auto& [shape_functions, degree] : {std::tuple{"linear", 1}, std::tuple{"bernstein", 2}})
+    for (int mode = 1; mode <= 3; ++mode) {
+      ConvergenceTable table(std::string("beam_modes, Gauss points, ") + shape_functions + ", " +
+                             bending_modes[mode - 1]);
+      for (const double cell_size : {0.5, 0.25, 0.125}) {
+        const Scene scene = with_gauss_points(modes(shape_functions, cell_size, degree + 1));
+        table.add(cell_size, run_scene(scene).measure(bending_modes[mode - 1]).value / rayleigh_lamb(mode) - 1);
+      }
+      table.print();
+      EXPECT_NEAR(table.order(), 2 * degree, 0.1 * 2 * degree) << "terms of higher order";
+    }
+}
+
+class SquareModes : public testing::TestWithParam<std::tuple<const char*, int, int, double>> {};
+
+// A free square has Lame's mode: u = cos(k x) sin(k y), v = -sin(k x) cos(k y) about a corner, with k = pi over
+// the side, is free of tractions on all sides and has the frequency sqrt(2) k c of shear waves (Graff 1975,
+// section 8.1.7). It is the seventh, after three rigid ones. Nothing holds the square, so that all of it is of the
+// functions' order.
+TEST_P(SquareModes, OfLameConvergeAtTwiceTheDegreeOfTheShapeFunctions) {
+  const auto [shape_functions, degree, particles_per_cell_side, coarsest] = GetParam();
+  const double exact = std::sqrt(3000 / 2.6 / 2);
+  ConvergenceTable table(std::string("Lame's mode of a square, Gauss points, ") + shape_functions);
+  for (const double cell_size : {coarsest, coarsest / 2, coarsest / 4}) {
+    Scene scene = with_gauss_points(modes(shape_functions, cell_size, particles_per_cell_side));
+    scene.domain.lower = {-1, -1};
+    scene.domain.upper = {2, 2};
+    scene.bodies[0].geometry = Box{{0, 0}, {1, 1}};
+    scene.boundaries.clear();
+    scene.measures.clear();
+    scene.outputs.probes.clear();
+    scene.outputs.samples = 8;
+    scene.outputs.snapshots = 0;
+    table.add(cell_size, run_scene(scene).history("modes.frequency").at(7) / exact - 1);
+  }
+  table.print();
+  EXPECT_NEAR(table.order(), 2 * degree, 0.1 * 2 * degree) << "terms of higher order";
+}
+// Quadratic splines change in the middle of cells: two points in each half.
+INSTANTIATE_TEST_SUITE_P(ShapeFunctions, SquareModes,
+                         testing::Values(std::tuple{"linear", 1, 2, 0.25},
+                                         std::tuple{"quadratic_bspline", 2, 4, 0.25},
+                                         std::tuple{"bernstein", 2, 3, 0.25},
+                                         std::tuple{"cubic_bspline", 3, 4, 0.5}),
+                         [](const auto& named) { return std::string(std::get<0>(named.param)); });
+
 /// Errors of a mode of a bar that is held at one end, with particles' quadrature error, which is of the second
 /// order, extrapolated away.
 class BarModes : public testing::TestWithParam<std::tuple<const char*, double>> {

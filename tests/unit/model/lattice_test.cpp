@@ -104,6 +104,27 @@ TEST(Lattice, AreaOfADiscConvergesToThatOfTheCircle) {
   }
 }
 
+// n points along a side are exact for degree 2 n - 1 (Abramowitz and Stegun 1964, 25.4.29), to rounding of some
+// hundred terms.
+TEST(Lattice, GaussPointsIntegratePolynomialsOverABox) {
+  for (int n = 1; n <= 16; ++n) {
+    Lattice lattice = lattice_of(Box{{1, 2}, {2, 2.5}}, {0, 0}, 0.5, n, 2);
+    lattice.place_at_gauss_points(n);
+    const int degree = 2 * n - 1;
+    double sum = 0;
+    lattice.for_each_point([&](std::int64_t number, Vector at) {
+      EXPECT_EQ(lattice.point_of(number).x, at.x);
+      sum += lattice.share(number, 2) * std::pow(at.x - 1, degree) * std::pow(2 * (at.y - 2), degree);
+    });
+    const double mean = 1.0 / (2 * n) / (2 * n);
+    EXPECT_NEAR(sum / static_cast<double>(lattice.count()), mean, 1e-13) << n;
+  }
+}
+
+TEST(Lattice, EvenPointsHaveTheirVolumeAlone) {
+  EXPECT_EQ(lattice_of(Box{{0, 0}, {8, 1}}, {-1, -1}, 0.25, 2, 2).share(17, 2), 1);
+}
+
 TEST(Lattice, SizeNeedsNoCounting) {
   EXPECT_EQ(lattice_size(Box{{0, 0}, {8, 1}}, 0.25, 2, 2).points, 512);
   EXPECT_GT(lattice_size(Box{{0, 0}, {1e300, 1}}, 1e-3, 2, 2).points, 1e300);

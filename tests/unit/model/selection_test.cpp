@@ -22,7 +22,15 @@ std::vector<Numbered> all_particles(const Body& body) {
   return particles;
 }
 
-std::vector<Body> bodies() { return validate(sample_scene()).bodies; }
+/// One more has points that are not even.
+std::vector<Body> bodies() {
+  std::vector<Body> bodies = validate(sample_scene()).bodies;
+  bodies.push_back(bodies.front());
+  bodies.back().lattice = make_lattice(bodies.front().lattice.geometry, {-1, -1}, 1, 16, 2);
+  bodies.back().lattice.number_points();
+  bodies.back().lattice.place_at_gauss_points(16);
+  return bodies;
+}
 
 TEST(Selection, NearestParticleIsTheOneThatASearchFinds) {
   for (const Body& body : bodies()) {

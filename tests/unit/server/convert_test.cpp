@@ -71,6 +71,9 @@ TEST_F(EveryField, KeepsBodies) {
   EXPECT_EQ(scene_.bodies[0].material, "rate");
   expect_box(scene_.bodies[0].geometry, 5.1, 5.2, 5.3, 5.4);
   EXPECT_EQ(scene_.bodies[0].particles_per_cell_side, 3);
+  EXPECT_EQ(scene_.bodies[0].particle_layout, ParticleLayout::gauss);
+  EXPECT_EQ(scene_.bodies[1].particle_layout, ParticleLayout::uniform);
+  EXPECT_EQ(scene_.bodies[2].particle_layout, ParticleLayout::uniform) << "the default";
   EXPECT_EQ(scene_.bodies[0].initial_velocity.x, "1*x");
   EXPECT_EQ(scene_.bodies[0].initial_velocity.y, "2*y");
   expect_disc(scene_.bodies[1].geometry, 6.1, 6.2, 6.3);
