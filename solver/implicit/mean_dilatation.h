@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/implicit/discretization.h"
-#include "solver/implicit/volume_sharing.h"
+#include "solver/schemes/volume_sharing.h"
 
 namespace trajan {
 
@@ -35,7 +35,7 @@ class MeanDilatation {
  private:
   struct Particle {
     bool linear = false;  ///< geometrically
-    double factor = 1;    ///< solver/implicit/volume_sharing.h
+    double factor = 1;    ///< solver/schemes/volume_sharing.h
     double weight = 0;
     double ratio = 1;
   };

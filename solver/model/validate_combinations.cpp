@@ -56,9 +56,11 @@ constexpr Exclusion exclusions[] = {
      "leave it out, or choose numerics.transfer: \"FLIP\""},
     {[](const Model& m) { return m.numerics.transfer_order && !has_order(m); }, "numerics.transfer_order",
      "only the transfers \"XPIC\" and \"FMPM\" have an order", "leave it out, or choose one of them"},
-    {[](const Model& m) { return shares_volume(m) && is_explicit(m); }, "numerics.locking_remedy",
-     "explicit steps take one particle after the other, which knows nothing of those beside it in its cell",
-     "leave it out, or choose an implicit analysis, for example quasi_static"},
+    {[](const Model& m) { return shares_volume(m) && is_explicit(m) && !is_total(m); }, "numerics.locking_remedy",
+     "in explicit updated Lagrangian steps particles leave those with which they have shared their volume, and "
+     "energy "
+     "is lost",
+     "choose numerics.scheme: \"TLMPM\", or an implicit analysis, for example quasi_static"},
     {[](const Model& m) { return shares_volume(m) && !has_common_stencils(m); }, "numerics.locking_remedy",
      "particles of one cell do not see the same nodes through shape functions that are as wide as particles",
      "leave it out, or choose \"linear\", \"bernstein\" or a B-spline"},

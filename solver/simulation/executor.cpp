@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/schemes/schemes.h"
+#include "solver/schemes/share_dilatation.h"
 #include "solver/simulation/diverged.h"
 
 namespace trajan {
@@ -181,8 +182,14 @@ std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) con
 }
 
 std::vector<Stage> Executor::deform_stages(const BodyParticles& body) const {
-  if (body.law->track == nullptr || body[Attribute::deformation_xx].empty()) return {body.law->deform};
-  return {body.law->deform, body.law->track};
+  std::vector<Stage> stages;
+  if (model_.numerics.locking_remedy != "none") {
+    const Body& of = model_.bodies[static_cast<std::size_t>(&body - bodies_.data())];
+    stages.push_back(share_dilatation(model_.materials[of.material].kind->name, model_.dimension));
+  }
+  stages.push_back(body.law->deform);
+  if (body.law->track != nullptr && !body[Attribute::deformation_xx].empty()) stages.push_back(body.law->track);
+  return stages;
 }
 
 /// Bits of the node vectors that a pass gathers.

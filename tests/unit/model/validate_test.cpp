@@ -207,12 +207,12 @@ const std::vector<Mistake> numerics = {
      "no transfer \"XPIK\"", "did you mean \"XPIC\"?"},
     {"UnknownLockingRemedy", [](Scene& s) { s.numerics.locking_remedy = "mean_dilation"; },
      "numerics.locking_remedy", "no locking remedy \"mean_dilation\"", "did you mean \"mean_dilatation\"?"},
-    {"LockingRemedyOfExplicitSteps",
+    {"LockingRemedyOfExplicitUpdatedSteps",
      [](Scene& s) {
        s.domain.dimension = Dimension::plane_strain;
        s.numerics.locking_remedy = "mean_dilatation";
      },
-     "numerics.locking_remedy", "explicit steps", "quasi_static"},
+     "numerics.locking_remedy", "particles leave", "TLMPM"},
     {"LockingRemedyOfParticlesThatSeeOtherNodes",
      [](Scene& s) {
        s.domain.dimension = Dimension::plane_strain;
