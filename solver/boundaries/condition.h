@@ -77,8 +77,8 @@ using HeldComponents = std::vector<std::uint8_t>;
 class DisplacementConstraints {
  public:
   virtual ~DisplacementConstraints() = default;
-  /// A component of a node's displacement.
-  virtual void prescribe(std::size_t tile, int node, int axis, double displacement) = 0;
+  /// A component of a node's displacement, by a condition of this index in the model.
+  virtual void prescribe(std::size_t condition, std::size_t tile, int node, int axis, double displacement) = 0;
 };
 
 class Condition {

@@ -63,7 +63,8 @@ void HingeCondition::constrain(double from, double to, MeanConstraints& constrai
     if (!surface_.held[static_cast<std::size_t>(axis)]) continue;
     const std::optional<Formula>& u = surface_.displacement[static_cast<std::size_t>(axis)];
     const double displacement = u ? (*u)({}, to) - (*u)({}, from) : 0;
-    for (const SurfaceMean& part : means_) constraints.prescribe_mean(nodes_of(part), axis, displacement);
+    for (const SurfaceMean& part : means_)
+      constraints.prescribe_mean(condition(), nodes_of(part), axis, displacement);
   }
 }
 

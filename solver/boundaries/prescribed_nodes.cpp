@@ -170,7 +170,8 @@ void PrescribedNodes::constrain(double from, double to, DisplacementConstraints&
   };
   for (std::size_t tile = 0; tile + 1 < first_.size(); ++tile)
     for (const Entry& entry : entries_of(tile))
-      constraints.prescribe(tile, entry.node, entry.axis, displacement(targets_[entry.target]));
+      constraints.prescribe(targets_[entry.target].condition, tile, entry.node, entry.axis,
+                            displacement(targets_[entry.target]));
 }
 
 }  // namespace trajan

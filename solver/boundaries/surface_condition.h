@@ -26,8 +26,10 @@ struct SurfaceNode {
 class MeanConstraints {
  public:
   virtual ~MeanConstraints() = default;
-  /// The sum of the nodes' displacements along an axis times their weights.
-  virtual void prescribe_mean(std::span<const SurfaceNode> nodes, int axis, double displacement) = 0;
+  /// The sum of the nodes' displacements along an axis times their weights, by a condition of this index in the
+  /// model.
+  virtual void prescribe_mean(std::size_t condition, std::span<const SurfaceNode> nodes, int axis,
+                              double displacement) = 0;
 };
 
 /// A condition on surface points, which knows the nodes around them. `act` and `act_on_mapped` are called

@@ -27,7 +27,8 @@ NewtonIterations::State ArcLengthIterations::iterate() {
   if (!factors_.regular) return fail(Failure::singular);
   const Eigen::VectorXd by_load =
       solver_.solve(expand.transpose() * balance_.load_rate(load_difference * first_load_));
-  if (!by_load.allFinite() || !(by_load.norm() > 0)) return fail(Failure::singular);
+  if (!by_load.allFinite()) return fail(Failure::singular);
+  if (!(by_load.norm() > 0)) return fail(Failure::no_load);
   if (residuals_.empty()) {
     if (length_per_time_ == 0) length_per_time_ = first_load_ * by_load.norm() / balance_.duration();
     length_ = length_per_time_ * balance_.duration();

@@ -22,20 +22,38 @@ Constraints::Constraints(const Discretization& on, Executor& executor, double fr
   make_expansion();
 }
 
-void Constraints::prescribe(std::size_t tile, int node, int axis, double displacement) {
+void Constraints::prescribe(std::size_t condition, std::size_t tile, int node, int axis, double displacement) {
   const std::int32_t n = on_.number(tile, node);
   if (n < 0) return;
-  rows_.push_back({{{static_cast<std::uint32_t>(n * on_.axes() + axis), 1.0}}, displacement});
+  rows_.push_back({{{static_cast<std::uint32_t>(n * on_.axes() + axis), 1.0}}, displacement, condition, true});
 }
 
-void Constraints::prescribe_mean(std::span<const SurfaceNode> nodes, int axis, double displacement) {
-  Row row{{}, displacement};
+void Constraints::prescribe_mean(std::size_t condition, std::span<const SurfaceNode> nodes, int axis,
+                                 double displacement) {
+  Row row{{}, displacement, condition};
   for (const SurfaceNode& at : nodes) {
     const std::int32_t n = on_.number(at.tile, static_cast<int>(at.node));
     if (n >= 0 && at.weight != 0)
       row.terms.emplace_back(static_cast<std::uint32_t>(n * on_.axes() + axis), at.weight);
   }
   rows_.push_back(std::move(row));
+}
+
+void Constraints::add_reactions(const Eigen::VectorXd& forces, double time, std::span<Reaction> reactions) const {
+  std::vector<double> weights(which_.size(), 0.0);
+  std::vector<char> held(which_.size(), 0);
+  for (const Row& row : rows_)
+    for (const auto& [unknown, weight] : row.terms) {
+      if (row.of_node) held[unknown] = 1;
+      weights[unknown] += row.of_node ? 0 : std::abs(weight);
+    }
+  for (const Row& row : rows_)
+    for (const auto& [unknown, weight] : row.terms) {
+      if (held[unknown] && !row.of_node) continue;
+      const double share = row.of_node ? 1 : std::abs(weight) / weights[unknown];
+      const std::size_t axis = unknown % static_cast<std::size_t>(on_.axes());
+      reactions[row.condition].impulse[axis] += time * share * forces[unknown];
+    }
 }
 
 /// Solves a row for its largest coefficient that is left, and puts that into the rows before it.

@@ -27,13 +27,20 @@ class Constraints : private DisplacementConstraints, private MeanConstraints {
   struct Row {
     std::vector<std::pair<std::uint32_t, double>> terms;
     double value = 0;
+    std::size_t condition = 0;  ///< that asks for it
+    bool of_node = false;       ///< not of a mean
   };
   /// As they were asked for.
   const std::vector<Row>& rows() const { return rows_; }
+  /// Adds forces that keep unknowns where they must be, for a time, to the impulses of the conditions: on a node
+  /// that is held all of them to the condition that holds it, on others to those of the means that they are in, by
+  /// weight.
+  void add_reactions(const Eigen::VectorXd& forces, double time, std::span<Reaction> reactions) const;
 
  private:
-  void prescribe(std::size_t tile, int node, int axis, double displacement) override;
-  void prescribe_mean(std::span<const SurfaceNode> nodes, int axis, double displacement) override;
+  void prescribe(std::size_t condition, std::size_t tile, int node, int axis, double displacement) override;
+  void prescribe_mean(std::size_t condition, std::span<const SurfaceNode> nodes, int axis,
+                      double displacement) override;
   void eliminate(const Row& row);
   void make_expansion();
 

@@ -84,9 +84,15 @@ void DynamicSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& d
       (displacement - dt * velocity_) / (beta * dt * dt) - (0.5 / beta - 1) * acceleration_;
   const Eigen::VectorXd velocity = velocity_ + dt * ((1 - gamma) * acceleration_ + gamma * acceleration);
   const Eigen::VectorXd before = mass_ * velocity_, after = mass_ * velocity;
-  executor().account().add(
-      balance.work(displacement, mass_ * acceleration_ + damping * before, mass_ * acceleration + damping * after),
-      0.5 * damping * (before + after).dot(displacement));
+  const Eigen::VectorXd inertia_before = mass_ * acceleration_ + damping * before,
+                        inertia = mass_ * acceleration + damping * after;
+  executor().account().add(balance.work(displacement, inertia_before, inertia),
+                           0.5 * damping * (before + after).dot(displacement));
+  // With the weights that accelerations have in the change of velocities, and so of momentum.
+  const Eigen::VectorXd held_before = balance.internal_before() - balance.external_before() + inertia_before,
+                        held = balance.internal() - balance.external() + inertia;
+  balance.constraints().add_reactions((1 - gamma) * held_before + gamma * held, dt,
+                                      executor().account().reactions());
   const Eigen::VectorXd change = velocity - velocity_;
   velocity_ = velocity;
   acceleration_ = acceleration;

@@ -8,6 +8,9 @@ namespace {
 
 using Components = std::array<double, 3>;
 
+/// Of the run's time, over which loads are straight at its ends.
+constexpr double slope_share = 1e-4;
+
 Components product(const Components& a, const Components& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -96,17 +99,28 @@ bool ExternalForces::follow() const {
 
 void ExternalForces::add(const Discretization& on, double time, std::span<const double> displacement,
                          std::span<double> forces, SparseMatrix* stiffness) {
+  const double end = std::clamp(time, 0.0, model_.end_time);
+  if (time == end) return add_share(on, time, 1, displacement, forces, stiffness);
+  const double inside = end + (end > 0 ? -slope_share : slope_share) * model_.end_time;
+  const double ahead = (time - end) / (end - inside);
+  add_share(on, end, 1 + ahead, displacement, forces, stiffness);
+  add_share(on, inside, -ahead, displacement, forces, stiffness);
+}
+
+void ExternalForces::add_share(const Discretization& on, double time, double share,
+                               std::span<const double> displacement, std::span<double> forces,
+                               SparseMatrix* stiffness) {
   executor_.loads().prepare(executor_.bodies(), time);
-  if (!model_.body_loads.empty()) add_body_loads(on, forces);
+  if (!model_.body_loads.empty()) add_body_loads(on, share, forces);
   for (std::size_t load = 0; load < model_.surface_loads.size(); ++load) {
     if (model_.surface_loads[load].follows && on.axes() > 1)
-      add_pressure(on, load, displacement, forces, stiffness);
+      add_pressure(on, load, share, displacement, forces, stiffness);
     else
-      add_dead_loads(on, load, forces);
+      add_dead_loads(on, load, share, forces);
   }
 }
 
-void ExternalForces::add_body_loads(const Discretization& on, std::span<double> forces) {
+void ExternalForces::add_body_loads(const Discretization& on, double share, std::span<double> forces) {
   const auto axes = static_cast<std::size_t>(on.axes());
   const auto blocks = executor_.tiles().blocks();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -116,8 +130,8 @@ void ExternalForces::add_body_loads(const Discretization& on, std::span<double> 
       const Discretization::Particle particle = on.particle(p);
       for (std::size_t axis = 0; axis < axes; ++axis) {
         const std::vector<double>& own = body.component(Attribute::load_x, static_cast<int>(axis));
-        const double force =
-            on.mass(p) * (body.constants.acceleration[axis] + (own.empty() ? 0.0 : own[blocks[b].begin + i]));
+        const double force = share * on.mass(p) *
+                             (body.constants.acceleration[axis] + (own.empty() ? 0.0 : own[blocks[b].begin + i]));
         for (std::size_t k = 0; k < particle.nodes.size(); ++k)
           forces[particle.nodes[k] * axes + axis] += particle.weights[k] * force;
       }
@@ -125,10 +139,11 @@ void ExternalForces::add_body_loads(const Discretization& on, std::span<double> 
   }
 }
 
-void ExternalForces::add_dead_loads(const Discretization& on, std::size_t load, std::span<double> forces) {
+void ExternalForces::add_dead_loads(const Discretization& on, std::size_t load, double share,
+                                    std::span<double> forces) {
   const Riders& riders = executor_.loads().riders()[load];
   const SurfaceLoad& of = model_.surface_loads[load];
-  const double factor = executor_.loads().factors()[load];
+  const double factor = share * executor_.loads().factors()[load];
   for (std::size_t p = 0; p < of.points.size(); ++p) {
     const PointStencil stencil(on, riders, executor_, p);
     Vector force = of.points[p].force;
@@ -140,11 +155,12 @@ void ExternalForces::add_dead_loads(const Discretization& on, std::size_t load, 
   }
 }
 
-void ExternalForces::add_pressure(const Discretization& on, std::size_t load, std::span<const double> displacement,
-                                  std::span<double> forces, SparseMatrix* stiffness) {
+void ExternalForces::add_pressure(const Discretization& on, std::size_t load, double share,
+                                  std::span<const double> displacement, std::span<double> forces,
+                                  SparseMatrix* stiffness) {
   const Riders& riders = executor_.loads().riders()[load];
   const SurfaceLoad& of = model_.surface_loads[load];
-  const double factor = executor_.loads().factors()[load];
+  const double factor = share * executor_.loads().factors()[load];
   const int axes = on.axes();
   for (std::size_t p = 0; p < of.points.size(); ++p) {
     const PointStencil stencil(on, riders, executor_, p);

@@ -16,14 +16,18 @@ class ExternalForces {
   /// Whether they depend on displacements, which makes tangents unsymmetric.
   bool follow() const;
   /// Adds the forces of a time, after a displacement since the step's beginning. With `stiffness` subtracts their
-  /// derivative from it, whose pattern must have the carriers' nodes. Throws FormulaNotFinite.
+  /// derivative from it, whose pattern must have the carriers' nodes. Outside of the run's time loads go on as
+  /// straight as they end. Throws FormulaNotFinite.
   void add(const Discretization& on, double time, std::span<const double> displacement, std::span<double> forces,
            SparseMatrix* stiffness = nullptr);
 
  private:
-  void add_body_loads(const Discretization& on, std::span<double> forces);
-  void add_dead_loads(const Discretization& on, std::size_t load, std::span<double> forces);
-  void add_pressure(const Discretization& on, std::size_t load, std::span<const double> displacement,
+  /// Forces times a share, of a time of the run.
+  void add_share(const Discretization& on, double time, double share, std::span<const double> displacement,
+                 std::span<double> forces, SparseMatrix* stiffness);
+  void add_body_loads(const Discretization& on, double share, std::span<double> forces);
+  void add_dead_loads(const Discretization& on, std::size_t load, double share, std::span<double> forces);
+  void add_pressure(const Discretization& on, std::size_t load, double share, std::span<const double> displacement,
                     std::span<double> forces, SparseMatrix* stiffness);
 
   const Model& model_;

@@ -5,6 +5,8 @@
 
 #include "solver/implicit/motion.h"
 #include "solver/implicit/rigid_modes.h"
+#include "solver/implicit/weak_place.h"
+#include "solver/model/names.h"
 #include "solver/schemes/scheme.h"
 #include "solver/simulation/checkpoint_array.h"
 #include "solver/simulation/diverged.h"
@@ -63,6 +65,8 @@ bool ImplicitSteps::advance(double until, std::int64_t number) {
 
 /// Steps between two samples are of the same length, at most that which is asked for.
 void ImplicitSteps::begin(double until) {
+  if (sample_ != until) executor_.account().forget_reactions();
+  sample_ = until;
   if (!view_) view_ = std::make_unique<GridView>(model_, executor_);
   const double left = until - time_, steps = std::ceil(left / length_ - 1e-9);
   next_ = steps <= 1 ? until : time_ + left / steps;
@@ -85,6 +89,11 @@ std::unique_ptr<NewtonIterations> ImplicitSteps::make_iterations(StepBalance& ba
 
 void ImplicitSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& displacement) {
   executor_.account().add(balance.work(displacement), 0);
+  // The force at the sample is recorded as if it had been there since the last one.
+  executor_.account().forget_reactions();
+  balance.constraints().add_reactions(balance.internal() - balance.external(),
+                                      model_.end_time / static_cast<double>(model_.outputs.samples),
+                                      executor_.account().reactions());
 }
 
 void ImplicitSteps::accept() {
@@ -113,7 +122,7 @@ void ImplicitSteps::accept() {
 }
 
 void ImplicitSteps::cut() {
-  if (cuts_ == options_.most_cuts) give_up();
+  if (cuts_ == options_.most_cuts || newton_->failure() == NewtonIterations::Failure::no_load) give_up();
   ++cuts_;
   length_ = 0.5 * balance_->duration();
   newton_.reset();
@@ -135,14 +144,24 @@ std::string ImplicitSteps::where() const { return "the load factor " + std::to_s
 
 void ImplicitSteps::give_up() const {
   using Failure = NewtonIterations::Failure;
-  if (newton_->failure() == Failure::no_answer)
-    diverge("however short the step, particles lose their positive volume beyond " + where(),
+  if (newton_->failure() == Failure::no_load)
+    diverge("the loads do not change with time at " + where() + ": no path leads on from there",
+            "let loads grow until analysis.end_time, for example by time { ramp { duration: " +
+                std::to_string(model_.end_time) + " } }");
+  if (newton_->failure() == Failure::no_answer) {
+    const std::int64_t body = balance_->trouble().body;
+    diverge("however short the step, particles " +
+                (body < 0 ? "" : "of body " + quoted(model_.bodies[static_cast<std::size_t>(body)].name) + " ") +
+                "lose their positive volume beyond " + where(),
             "take a finer grid or a material that bears such a deformation, or apply less load");
+  }
   if (newton_->failure() == Failure::singular || !newton_->factors().positive_definite)
-    diverge("the stiffness is lost at " + where() + ": there is no equilibrium beside this one, or more than one",
+    diverge("the stiffness of " + largest_place(model_, view_->on, newton_->weakest()) + " is lost at " + where() +
+                ": there is no equilibrium beside this one, or more than one",
             "apply less load, or trace the path by analysis.quasi_static.arc_length");
   diverge(
-      "Newton's method finds no balance of forces beyond " + where(),
+      "Newton's method finds no balance of forces beyond " + where() + "; most is missing in " +
+          largest_place(model_, view_->on, newton_->missing()),
       "allow more newton.most_iterations or shorter steps; a path is traced by analysis.quasi_static.arc_length");
 }
 

@@ -32,7 +32,7 @@ class ImplicitSteps : public Stepper {
   SparseSolver& solver() { return solver_; }
   /// With loads and prescribed motions between two times, and a duration for the materials.
   std::unique_ptr<StepBalance> balance_between(double from, double to, double duration);
-  /// Before particles move. Adds to the executor's energies.
+  /// Before particles move. Adds to the executor's energies and reactions.
   virtual void end_step(const StepBalance& balance, const Eigen::VectorXd& displacement);
 
  private:
@@ -64,6 +64,7 @@ class ImplicitSteps : public Stepper {
   std::unique_ptr<StepBalance> balance_;
   std::unique_ptr<NewtonIterations> newton_;
   double time_ = 0, next_ = 0;  ///< before and after the present step
+  double sample_ = -1;          ///< time of the next sample
   double length_;               ///< of the next step, if samples do not make it shorter
   int cuts_ = 0;                ///< in a row
   std::int64_t number_ = 0, steps_ = 0, iterations_ = 0;

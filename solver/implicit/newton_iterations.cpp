@@ -47,6 +47,24 @@ NewtonIterations::State NewtonIterations::iterate() {
   return advance(direction, reduced) ? judge() : fail(Failure::no_answer);
 }
 
+/// By inverse iteration, for which factors of a matrix that is singular but for rounding are good.
+Eigen::VectorXd NewtonIterations::weakest() const {
+  constexpr int rounds = 4;
+  const SparseMatrix& expand = balance_.constraints().expand();
+  Eigen::VectorXd free(expand.cols());
+  for (Eigen::Index i = 0; i < free.size(); ++i) free[i] = 1 + std::sin(static_cast<double>(i));
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::VectorXd next = solver_.solve(free);
+    if (!next.allFinite() || !(next.norm() > 0)) break;
+    free = next / next.norm();
+  }
+  return expand * free;
+}
+
+Eigen::VectorXd NewtonIterations::missing() const {
+  return balance_.constraints().expand() * balance_.reduced_residual();
+}
+
 NewtonIterations::State NewtonIterations::judge() {
   const double norm = balance_.reduced_residual().norm(), scale = std::max(balance_.scale(), prescribed_scale_);
   residuals_.push_back(scale > 0 ? norm / scale : 0);
@@ -55,14 +73,16 @@ NewtonIterations::State NewtonIterations::judge() {
 }
 
 /// The work of what is missing along the direction should become less. If it has become more, the next length is
-/// where it vanishes on the line through its values at the ends (Crisfield 1991, section 9.2).
+/// where it vanishes on the line through its values at the ends (Crisfield 1991, section 9.2). The first iteration
+/// is not shortened: where volume hardly changes it leaves an error of the second order in volume, whose forces
+/// are large and which the next one takes back, while one that avoids such forces gets nowhere.
 bool NewtonIterations::advance(const Eigen::VectorXd& direction, const Eigen::VectorXd& reduced) {
-  const bool whole_only = residuals_.empty() && !balance_.constraints().homogeneous();
+  const bool first = residuals_.empty(), whole_only = first && !balance_.constraints().homogeneous();
   const double before = reduced.dot(balance_.reduced_residual());
   double length = 1;
   for (int halvings = 0; !balance_.evaluate(displacement_ + length * direction); length *= 0.5)
     if (whole_only || ++halvings > most_halvings) return false;
-  for (int search = 0; search < most_searches && !whole_only; ++search) {
+  for (int search = 0; search < most_searches && !first; ++search) {
     const double after = reduced.dot(balance_.reduced_residual());
     if (std::abs(after) <= std::abs(before)) break;
     length *= std::clamp(before / (before - after), 0.1, 0.7);

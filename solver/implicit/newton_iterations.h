@@ -15,7 +15,7 @@ class NewtonIterations {
   virtual ~NewtonIterations() = default;
 
   enum class State { going, converged, failed };
-  enum class Failure { none, no_answer, singular, too_slow };
+  enum class Failure { none, no_answer, singular, too_slow, no_load };
   /// One more iteration.
   virtual State iterate();
 
@@ -25,6 +25,10 @@ class NewtonIterations {
   const std::vector<double>& residuals() const { return residuals_; }
   Failure failure() const { return failure_; }
   const SparseSolver::Factors& factors() const { return factors_; }
+  /// The displacement of all unknowns that meets the least resistance of the last tangent.
+  Eigen::VectorXd weakest() const;
+  /// The forces of all unknowns that are missing for balance, but reactions.
+  Eigen::VectorXd missing() const;
 
  protected:
   State fail(Failure why);

@@ -47,18 +47,24 @@ Responses::Trouble Responses::evaluate(const Discretization& on, std::span<const
   with_tangents = with_tangents || mean_dilatation_;
   forces_.resize(on.particles() * n);
   if (with_tangents) tangents_.resize(on.particles() * n * n);
-  std::atomic<std::int64_t> inverted = 0, unsolved = 0;
+  std::vector<std::atomic<std::int64_t>> inverted(laws_.size()), unsolved(laws_.size());
   executor_.visit([&](Block& block, std::size_t b, std::size_t) {
     const std::size_t first = on.first_particle(b);
     LawResponse response;
     response.gradient = &felt[first * n];
     response.force = &forces_[first * n];
     response.tangent = with_tangents ? &tangents_[first * n * n] : nullptr;
-    laws_[executor_.tiles().blocks()[b].body]->respond(block, dt, response);
-    inverted += response.inverted;
-    unsolved += response.unsolved;
+    const std::size_t body = executor_.tiles().blocks()[b].body;
+    laws_[body]->respond(block, dt, response);
+    inverted[body] += response.inverted;
+    unsolved[body] += response.unsolved;
   });
-  const Trouble trouble{inverted, unsolved};
+  Trouble trouble;
+  for (std::size_t body = laws_.size(); body-- > 0;) {
+    trouble.inverted += inverted[body];
+    trouble.unsolved += unsolved[body];
+    if (inverted[body] + unsolved[body] > 0) trouble.body = static_cast<std::int64_t>(body);
+  }
   if (mean_dilatation_ && trouble.none()) mean_dilatation_->pull(on, forces_, tangents_);
   return trouble;
 }

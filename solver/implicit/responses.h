@@ -18,6 +18,7 @@ class Responses {
 
   struct Trouble {
     std::int64_t inverted = 0, unsolved = 0;
+    std::int64_t body = -1;  ///< the first one of which there are such particles
     bool none() const { return inverted == 0 && unsolved == 0; }
   };
   /// From the particles' state; it lasts `dt`.

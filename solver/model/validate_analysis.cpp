@@ -56,9 +56,6 @@ void Validator::check_implicit_choices() {
       violations_.add(path + "periodic", "", "analyses that solve for displacements know no periodic axes",
                       "hold the body's ends, or choose explicit_dynamics");
   }
-  if (!scene_.outputs.reactions.empty())
-    violations_.add("outputs.reactions", "", "reactions are recorded of explicit time steps",
-                    "leave it out, or choose explicit_dynamics");
 }
 
 void Validator::check_statics() {
@@ -139,6 +136,9 @@ void Validator::check_modes() {
   if (scene_.outputs.samples > most)
     violations_.add("outputs.samples", std::to_string(scene_.outputs.samples), "every sample is a mode",
                     "ask for at most 1000");
+  if (!scene_.outputs.reactions.empty())
+    violations_.add("outputs.reactions", "", "modes have no forces, as they have no size",
+                    "leave it out, or choose quasi_static");
   for (std::size_t i = 0; i < scene_.loads.size(); ++i) {
     const auto* pressure = std::get_if<Pressure>(&scene_.loads[i].kind);
     if (pressure && pressure->follows)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "solver/implicit/rigid_modes.h"
 #include "solver/schemes/schemes.h"
 #include "solver/schemes/time_step.h"
 #include "solver/simulation/diverged.h"
@@ -21,8 +22,13 @@ constexpr std::int64_t steps_per_time_step = 64;
 constexpr std::int64_t most_vain_peaks = 100, most_vain_times = 3;
 constexpr double least_improvement = 0.5;
 
-/// Slows the waves of all bodies down to the slowest one's.
-void equalise_waves(const Model& model, Executor& executor) {
+/// A body that vibrates comes to a maximum of its kinetic energy within a quarter of its longest period, which is
+/// about a quarter as many crossings of its waves as the body is slender. One that moves for so many without any
+/// is driven away.
+constexpr double most_crossings = 64;
+
+/// Slows the waves of all bodies down to the slowest one's, and returns how fast that is.
+double equalise_waves(const Model& model, Executor& executor) {
   const auto speed = [&](const Body& body) {
     const Material& material = model.materials[body.material];
     return material.kind->wave_speed(material.parameters, material.density, model.dimension);
@@ -33,6 +39,28 @@ void equalise_waves(const Model& model, Executor& executor) {
     const double ratio = speed(model.bodies[b]) / slowest;
     if (ratio > 1) executor.scale_inertia(b, ratio * ratio);
   }
+  return slowest;
+}
+
+double longest_side(const Model& model) {
+  double longest = 0;
+  for (const Body& body : model.bodies) {
+    const Lattice& lattice = body.lattice;
+    longest = std::max({longest, static_cast<double>(lattice.columns) * lattice.spacing.x,
+                        static_cast<double>(lattice.rows) * lattice.spacing.y,
+                        static_cast<double>(lattice.planes) * lattice.spacing.z});
+  }
+  return longest;
+}
+
+/// Whether something may hold a body that is not a displacement which is prescribed.
+bool may_be_stopped(const Model& model) {
+  const auto prescribes = [](const BoundaryCondition& condition) {
+    return std::holds_alternative<PrescribedMotion>(condition.kind) ||
+           std::holds_alternative<HeldSurface>(condition.kind);
+  };
+  return model.contacts.fields > 1 || !std::ranges::all_of(model.conditions, prescribes) ||
+         std::ranges::any_of(model.grid.periodic, [](bool periodic) { return periodic; });
 }
 
 }  // namespace
@@ -42,7 +70,7 @@ DynamicRelaxation::DynamicRelaxation(const Model& model, const Relaxation& limit
     : model_(model), scheme_(*find_scheme(model.numerics.scheme)), limits_(limits), executor_(executor) {
   if (resume) from_ = until_ = resume->time;
   executor_.account().watch_forces(executor_.tiles().tiles().size());
-  equalise_waves(model, executor_);
+  crossing_time_ = longest_side(model) / equalise_waves(model, executor_);
 }
 
 double DynamicRelaxation::time() const {
@@ -65,7 +93,7 @@ void DynamicRelaxation::save(Checkpoint&) const {}
 void DynamicRelaxation::begin_level() {
   at_rest_ = true;
   kinetic_energy_ = first_unbalanced_ = 0;
-  steps_of_level_ = least_at_ = peaks_since_ = 0;
+  steps_of_level_ = least_at_ = peaks_since_ = last_peak_ = 0;
   least_ = 1;
 }
 
@@ -127,6 +155,7 @@ void DynamicRelaxation::halt() {
 bool DynamicRelaxation::is_settled() {
   halt();
   const double work = executor_.account().work(), dissipated = executor_.account().dissipated();
+  executor_.account().forget_reactions();
   StepTimes times;
   times.step = number_;
   times.time = times.before = until_;
@@ -134,12 +163,21 @@ bool DynamicRelaxation::is_settled() {
   executor_.particles({Pass::locate, Pass::force, Pass::scatter_state});
   executor_.update_velocities(times);
   executor_.account().restore(work, dissipated);
+  // The force at the sample is recorded as if it had been there since the last one.
+  const double interval = model_.end_time / static_cast<double>(model_.outputs.samples);
+  for (Reaction& reaction : executor_.account().reactions())
+    for (double& impulse : reaction.impulse) impulse *= interval / (times.after - times.before);
   measure();
   return residual_ <= limits_.tolerance;
 }
 
 void DynamicRelaxation::watch_progress(bool peak) {
   peaks_since_ += peak;
+  if (peak) last_peak_ = steps_of_level_;
+  if (static_cast<double>(steps_of_level_ - last_peak_) * time_step_ > most_crossings * crossing_time_) {
+    last_peak_ = steps_of_level_;  // a body that is held is given as much time again
+    refuse_free_motion();
+  }
   if (residual_ < (1 - least_improvement) * least_) {
     least_ = residual_;
     least_at_ = steps_of_level_;
@@ -147,6 +185,7 @@ void DynamicRelaxation::watch_progress(bool peak) {
   }
   const bool stuck = peaks_since_ > most_vain_peaks && steps_of_level_ > (1 + most_vain_times) * least_at_;
   if (!stuck && steps_of_level_ < limits_.most_steps) return;
+  refuse_free_motion();
   std::ostringstream cause;
   cause << (stuck ? "the relaxation is stuck" : "the relaxation has not come to rest") << " after "
         << steps_of_level_ << " steps of a load level: unbalanced forces are " << residual_
@@ -155,6 +194,18 @@ void DynamicRelaxation::watch_progress(bool peak) {
                   stuck ? "accept a larger analysis.relaxation.tolerance, or choose numerics.scheme: \"TLMPM\" or "
                           "smooth shape functions, by which particles that cross cells make no noise"
                         : "allow more analysis.relaxation.most_steps; a body that no boundary holds never rests"});
+}
+
+void DynamicRelaxation::refuse_free_motion() {
+  if (may_be_stopped(model_)) return;
+  executor_.finish();
+  const Discretization on(model_, executor_);
+  const std::string motion = find_free_motion(model_, on, Constraints(on, executor_, until_, until_));
+  if (!motion.empty())
+    throw Diverged({number_, until_, -1,
+                    motion + ": nothing holds it, and after " + std::to_string(steps_of_level_) +
+                        " steps of a load level it has not come to rest",
+                    "hold it by a boundary condition, or choose a dynamic analysis"});
 }
 
 }  // namespace trajan

@@ -33,6 +33,8 @@ class DynamicRelaxation : public Stepper {
   void halt();
   void find_time_step();
   void watch_progress(bool peak);
+  /// Says so if nothing holds a body.
+  void refuse_free_motion();
 
   const Model& model_;
   const Scheme& scheme_;
@@ -49,7 +51,8 @@ class DynamicRelaxation : public Stepper {
   std::int64_t number_ = 0, steps_of_level_ = 0, steps_of_last_level_ = 0;
   /// The least residual of the level, when it was last improved upon, and how many peaks there were since.
   double least_ = 1;
-  std::int64_t least_at_ = 0, peaks_since_ = 0;
+  std::int64_t least_at_ = 0, peaks_since_ = 0, last_peak_ = 0;
+  double crossing_time_;  ///< of the slowest waves through the longest body
 };
 
 }  // namespace trajan

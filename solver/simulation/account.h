@@ -47,6 +47,7 @@ class Account {
   double dissipated() const { return dissipated_; }
   /// What boundary conditions have done since these were last forgotten, in the order of the model.
   std::span<const Reaction> reactions() const { return reactions_; }
+  std::span<Reaction> reactions() { return reactions_; }
   void forget_reactions() { reactions_.assign(reactions_.size(), {}); }
   /// Of the last kick.
   const ForceBalance& balance() const { return balance_; }

@@ -41,6 +41,36 @@ TEST(ArcLength, FollowsABarBeyondItsLimitLoad) {
   EXPECT_LT(smallest_stretch, 0.5) << "the limit is at 0.577";
 }
 
+/// The same under half the load, which a ramp brings on in a time.
+Scene ramped_bar(double duration) {
+  Scene scene = crushed_bar();
+  scene.loads[0].time = Ramp{0, duration, false};
+  std::get<EdgeTraction>(scene.loads[0].kind).traction.x *= 0.5;
+  std::get<QuasiStatic>(scene.analysis.kind).load_steps = 10;  // steps as long as before
+  return scene;
+}
+
+TEST(ArcLength, GoesOnWhereARampEndsWithTheRun) {
+  const Model model = validate(ramped_bar(1));
+  const Answer answer = solve(model);
+  ASSERT_EQ(answer.result.end, RunEnd::finished) << answer.result.divergence->cause;
+  double largest = 0;
+  for (const std::vector<double>& row : answer.memory.rows)
+    largest = std::max(largest, row[column(model, "load_factor")]);
+  EXPECT_NEAR(largest, 2, 4e-3) << "twice the load at the end of the ramp, as flat as before";
+}
+
+TEST(ArcLength, NeedsLoadsThatGrow) {
+  for (Scene scene : {ramped_bar(0.5), crushed_bar()}) {
+    if (std::holds_alternative<Ramp>(scene.loads[0].time) == false) scene.loads[0].time = 1.0;
+    const Answer answer = solve(validate(scene));
+    ASSERT_EQ(answer.result.end, RunEnd::diverged);
+    EXPECT_THAT(answer.result.divergence->cause,
+                ::testing::HasSubstr("the loads do not change with time at the load factor"));
+    EXPECT_THAT(answer.result.divergence->remedy, ::testing::HasSubstr("ramp"));
+  }
+}
+
 TEST(ArcLength, GoesOnFromCheckpointsWithTheSameBits) {
   const Model model = validate(crushed_bar());
   Memory whole, resumed;

@@ -95,7 +95,8 @@ TEST(QuasiStatic, ResidualsConvergeQuadratically) {
     RecordProperty("residual_" + std::to_string(i), std::to_string(residuals[i]));
     // Each is the square of the one before it times a constant, until rounding takes over. An error in the tangent
     // would make them fall by a constant factor instead, and the later bounds are out of reach.
-    if (residuals[i - 1] > 1e-3 || residuals[i - 1] < 1e-7) continue;
+    // Rounding leaves 1e-12, of a stiffness along the beam that is 1e4 times that across.
+    if (residuals[i - 1] > 2e-3 || residuals[i - 1] < 1e-6) continue;
     ++checked;
     EXPECT_LE(residuals[i], 100 * residuals[i - 1] * residuals[i - 1]) << ::testing::PrintToString(residuals);
   }

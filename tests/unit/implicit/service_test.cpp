@@ -61,6 +61,7 @@ TEST(ImplicitService, LoadsBeyondTheLimitNameTheirFactor) {
   scene.analysis.kind = QuasiStatic{20};
   const Divergence divergence = divergence_of(scene);
   EXPECT_THAT(divergence.cause, HasSubstr("load factor 0.5"));
+  EXPECT_THAT(divergence.cause, HasSubstr("body \"block\""));
   // Steps are halved ten times from a twentieth.
   EXPECT_NEAR(divergence.time, 0.5, 1e-3);
 }

@@ -262,19 +262,21 @@ const std::vector<Mistake> boundaries = {
      "boundaries[0].rigid_plane.normal.x", "no half-space"},
     {"PeriodOfAnAnalysisWithoutExplicitSteps", [](Scene& s) { s = at_rest(with_period(s)); },
      "boundaries[1].periodic", "solve for displacements"},
-    {"ReactionsOfAnAnalysisWithoutExplicitSteps",
+    {"ReactionsOfModes",
      [](Scene& s) {
        s = at_rest(s);
+       s.analysis.kind = Modal{};
        s.outputs.reactions = {"clamp"};
      },
-     "outputs.reactions", "explicit time steps"},
+     "outputs.reactions", "modes have no forces"},
     {"SameName", [](Scene& s) { s.boundaries[1].name = "clamp"; }, "boundaries[1].name", "earlier"},
 };
 
 const std::vector<Mistake> loads = {
     {"NoKind", [](Scene& s) { s.loads[0].kind = {}; }, "loads[0]", "no kind"},
     {"UnknownBody", [](Scene& s) { traction(s).body = "baem"; }, "loads[0].edge_traction.body", "no body"},
-    {"TractionOnADisc", [](Scene& s) { traction(s).body = "ball"; }, "loads[0].edge_traction.body", "no straight edges"},
+    {"TractionOnADisc", [](Scene& s) { traction(s).body = "ball"; }, "loads[0].edge_traction.body",
+     "no straight edges"},
     {"NoEdge", [](Scene& s) { traction(s).edge = {}; }, "loads[0].edge_traction.edge", "not given"},
     {"InfiniteTraction", [](Scene& s) { traction(s).traction.x = infinity; }, "loads[0].edge_traction.traction.x",
      "finite"},
