@@ -3,6 +3,7 @@
 #include <new>
 
 #include "server/convert.h"
+#include "server/log.h"
 #include "server/run_cost.h"
 #include "solver/measures/measure.h"
 #include "solver/results/results.h"
@@ -85,6 +86,9 @@ void compute(const v1::LeaseResponse& lease, int threads, LeaseKeeper& keeper, v
   options.resume = writer->resume_point();
   const RunResult result =
       run(model, options, *writer, [&](const RunProgress& progress) { return keeper.update(progress); });
+  if (result.warning)
+    logging::warning("the result is doubtful",
+                     {{"from_time", std::to_string(result.warning->time)}, {"cause", result.warning->cause}});
   keeper.update(result.progress);
   *request.mutable_progress() = keeper.progress();
   switch (result.end) {

@@ -51,6 +51,16 @@ struct Divergence {
   std::string remedy;
 };
 
+/// What makes the rest of a run's numbers doubtful though it goes on.
+struct Warning {
+  std::int64_t step = 0;
+  double time = 0;
+  std::int64_t particle = -1;
+  Vector place;  ///< of the particle
+  std::string cause;
+  std::string remedy;
+};
+
 /// Where a run's results go. Calls come from one thread, samples in order, a snapshot after the sample
 /// of the same time. Implementations throw std::runtime_error when they cannot store.
 class Recorder {
@@ -61,6 +71,8 @@ class Recorder {
   virtual void snapshot(std::int64_t row, const Snapshot& snapshot) = 0;
   /// Everything before it must be durable when this returns.
   virtual void checkpoint(const Checkpoint& checkpoint) = 0;
+  /// After the sample of the same time.
+  virtual void warn(const Warning&) {}
   /// Rows that are durable.
   virtual std::int64_t durable_rows() const = 0;
 };

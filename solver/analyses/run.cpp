@@ -39,6 +39,7 @@ class Run {
       result.divergence = diverged.divergence();
     }
     result.progress = progress();
+    result.warning = warning_;
     return result;
   }
 
@@ -59,6 +60,10 @@ class Run {
     recorder_.sample(row, simulation_.time(), simulation_.columns());
     const std::int64_t every = model_.outputs.samples_per_snapshot;
     if (every > 0 && row % every == 0) recorder_.snapshot(row, simulation_.snapshot());
+    const std::optional<Warning> warning = simulation_.warning();
+    if (!warning) return;
+    recorder_.warn(*warning);
+    if (!warning_) warning_ = warning;
   }
 
   void checkpoint_if_due() {
@@ -99,6 +104,7 @@ class Run {
   Clock::time_point last_checkpoint_, last_asked_;
   std::int64_t first_step_ = 0;
   double speed_ = 0;
+  std::optional<Warning> warning_;
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace trajan {
 
 /// A quadrature point of a body's surface, which rides on a particle: what it does to the grid goes to the
-/// nodes of the particle's cell by the multilinear polynomials of that cell, evaluated at the point (also
-/// slightly outside of the cell). So resultant and moment are exact, and no node without mass is touched.
+/// particle's nodes by the polynomials that the shape functions are where it is, evaluated at the point. So
+/// resultant and moment are exact, and no node without mass is touched.
 struct SurfacePoint {
   std::int64_t carrier = 0;  ///< the particle's number
   Vector position;           ///< at time 0

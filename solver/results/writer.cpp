@@ -67,6 +67,16 @@ class Writer : public ResultWriter {
     write_checkpoint(directory_ / checkpoint_name, identity_, checkpoint);
   }
 
+  void warn(const Warning& warning) override {
+    if (std::exchange(warned_, true)) return;
+    guarded([&] {
+      commit();
+      write_warning(file_->id(), warning);
+      file_->flush();
+      file_->make_durable();
+    });
+  }
+
   std::int64_t durable_rows() const override { return durable_rows_; }
 
   void histories(std::vector<double>& time, std::vector<double>& values) override {
@@ -111,6 +121,7 @@ class Writer : public ResultWriter {
     if (!checkpoint || !std::filesystem::exists(directory_ / partial_name)) return;
     try {
       file_ = ResultFile::repair(directory_ / partial_name, model, provenance, checkpoint->sample);
+      warned_ = has_warning(file_->id());
       resume_point_ = std::move(checkpoint);
     } catch (const std::runtime_error&) {
       // Beyond repair. The results are the same when computed again.
@@ -162,6 +173,7 @@ class Writer : public ResultWriter {
   std::vector<double> times_;   ///< of the samples that are not committed yet
   std::vector<double> values_;  ///< (times_.size(), columns_)
   Clock::time_point last_commit_ = Clock::now();
+  bool warned_ = false;  ///< the file has its warning
 };
 
 }  // namespace

@@ -110,7 +110,8 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
     : model_(model),
       scheme_(*find_scheme(model.numerics.scheme)),
       executor_(model, threads),
-      fields_(model, executor_) {
+      fields_(model, executor_),
+      coherence_(model, executor_) {
   for (std::size_t b = 0; b < executor_.bodies().size(); ++b) {
     BodyParticles& body = executor_.bodies()[b];
     for (int a = 0; a < attribute_count; ++a)
@@ -134,6 +135,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
   largest_input_ = energies[4];
   sample_ = checkpoint.sample;
   steps_ = checkpoint.step;
+  coherence_.resume(steps_);
   totals_ = executor_.totals();
   measure();
 }

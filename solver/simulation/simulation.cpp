@@ -22,7 +22,8 @@ Simulation::Simulation(const Model& model, int threads)
     : model_(model),
       scheme_(*find_scheme(model.numerics.scheme)),
       executor_(model, threads),
-      fields_(model, executor_) {
+      fields_(model, executor_),
+      coherence_(model, executor_) {
   executor_.begin();
   stepper_ = make_stepper(model, executor_);
   follow_probes();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/recorder.h"
+#include "solver/simulation/coherence.h"
 #include "solver/simulation/executor.h"
 #include "solver/simulation/particle_fields.h"
 #include "solver/simulation/stepper.h"
@@ -39,6 +40,8 @@ class Simulation {
   const std::vector<double>& columns() const { return columns_; }
   Snapshot snapshot();
   Checkpoint save();
+  /// Something that has gone wrong since, as far as anybody has looked; each thing is said once.
+  std::optional<Warning> warning() { return coherence_.check(steps_, time(), sample_ == model_.outputs.samples); }
   /// @}
 
   double energy_balance_error() const { return balance_error_; }
@@ -59,6 +62,7 @@ class Simulation {
   const Scheme& scheme_;
   Executor executor_;
   ParticleFields fields_;
+  Coherence coherence_;
   std::unique_ptr<Stepper> stepper_;  ///< nullptr: steps are the scheme's
   std::int64_t sample_ = 0, steps_ = 0;
   std::int64_t step_in_interval_ = 0, steps_in_interval_ = 0;

@@ -26,6 +26,7 @@ TEST_P(Gallery, SceneIsNamedLikeItsFileAndEveryMeasureSaysWhatIsExact) {
 
 TEST_P(Gallery, EveryMeasureIsAsCloseToTheExactValueAsTheSceneSays) {
   const Outcome outcome = run_scene(gallery_scene(GetParam()));
+  EXPECT_FALSE(outcome.warning) << outcome.warning->cause;
   for (const MeasureValue& measure : outcome.measures) {
     ASSERT_TRUE(measure.error && measure.tolerance) << measure.name;
     EXPECT_LE(std::abs(*measure.error), *measure.tolerance)

@@ -1,0 +1,168 @@
+#include "solver/simulation/coherence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "solver/schemes/scheme.h"
+
+namespace trajan {
+namespace {
+
+/// A check takes as long as a few steps: less than a hundredth of so many.
+constexpr std::int64_t steps_between = 500;
+
+/// In cells: particles this far apart in the direction in which they are stretched most leave every third cell
+/// empty.
+constexpr double widest_gap = 1.5;
+
+/// Of a cell's index along each axis in its key.
+constexpr int bits = 21;
+constexpr std::uint64_t middle = std::uint64_t{1} << (bits - 1);
+
+bool is_fluid(const Material& material, Dimension dimension) {
+  const auto axes = static_cast<std::size_t>(grid_axes(dimension));
+  if (axes == 1) return false;
+  std::array<double, 9> tensor{};
+  material.kind->acoustic_tensor(material.parameters, material.density, dimension, 0, tensor);
+  return tensor[axes + 1] == 0;
+}
+
+/// The root of a tree of cells, which it makes shorter.
+std::size_t root(std::vector<std::size_t>& parent, std::size_t cell) {
+  while (parent[cell] != cell) cell = parent[cell] = parent[parent[cell]];
+  return cell;
+}
+
+std::string rounded(double value) {
+  std::string text = std::to_string(value);
+  return text.substr(0, text.find('.') + 3);
+}
+
+}  // namespace
+
+Coherence::Coherence(const Model& model, const Executor& executor)
+    : model_(model), executor_(executor), axes_(grid_axes(model.dimension)) {
+  const std::string& shape = model.numerics.shape_functions;
+  reach_ = shape == "linear" ? 1 : 2;
+  stretches_with_particles_ = shape == "cpgimp" || shape == "cpdi";
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    groups_at_first_.push_back(is_watched(model.bodies[b]) ? groups(executor.bodies()[b]).count : 0);
+}
+
+bool Coherence::is_watched(const Body& body) const {
+  const Material& material = model_.materials[body.material];
+  return !is_total_lagrangian(model_.numerics.scheme) && !material.kind->name.starts_with(damage_prefix) &&
+         !is_fluid(material, model_.dimension);
+}
+
+Coherence::Cell Coherence::cell_of(const BodyParticles& body, std::size_t slot) const {
+  const double origin[] = {model_.grid.origin.x, model_.grid.origin.y, model_.grid.origin.z};
+  Cell key = 0;
+  for (int axis = 0; axis < axes_; ++axis) {
+    const double at = body.component(Attribute::position_x, axis)[slot];
+    auto cell = static_cast<std::int64_t>(std::floor((at - origin[axis]) / model_.grid.cell));
+    const std::int64_t cells = model_.grid.cells()[static_cast<std::size_t>(axis)];
+    if (model_.grid.periodic[static_cast<std::size_t>(axis)]) cell = (cell % cells + cells) % cells;
+    key |= (static_cast<Cell>(cell) + middle) << bits * axis;
+  }
+  return key;
+}
+
+Coherence::Groups Coherence::groups(const BodyParticles& body) const {
+  std::vector<std::pair<Cell, std::size_t>> particles;
+  for (std::size_t slot = 0; slot < body.size(); ++slot) particles.emplace_back(cell_of(body, slot), slot);
+  std::sort(particles.begin(), particles.end());
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  particles.erase(std::unique(particles.begin(), particles.end(), same), particles.end());
+  std::vector<std::size_t> parent(particles.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto join = [&](std::size_t cell, Cell other) {
+    const auto found = std::lower_bound(particles.begin(), particles.end(), std::pair(other, std::size_t{0}));
+    if (found == particles.end() || found->first != other) return;
+    parent[root(parent, static_cast<std::size_t>(found - particles.begin()))] = root(parent, cell);
+  };
+  // Of two neighbours one sees the other; across a periodic face the one that is first.
+  const int side = 2 * reach_ + 1, around = axes_ == 1 ? side : axes_ == 2 ? side * side : side * side * side;
+  for (std::size_t c = 0; c < particles.size(); ++c)
+    for (int n = 0; n < around; ++n) {
+      Cell other = 0;
+      for (int axis = 0, rest = n; axis < axes_; ++axis, rest /= side) {
+        auto cell =
+            static_cast<std::int64_t>(particles[c].first >> bits * axis & (2 * middle - 1)) + rest % side - reach_;
+        const std::int64_t cells = model_.grid.cells()[static_cast<std::size_t>(axis)];
+        const auto first = static_cast<std::int64_t>(middle);
+        if (model_.grid.periodic[static_cast<std::size_t>(axis)]) cell = (cell - first + cells) % cells + first;
+        other |= static_cast<Cell>(cell) << bits * axis;
+      }
+      if (other < particles[c].first) join(c, other);
+    }
+  std::vector<std::size_t> size(particles.size());
+  for (std::size_t c = 0; c < particles.size(); ++c) ++size[root(parent, c)];
+  Groups result;
+  std::size_t least = particles.size() + 1;
+  for (std::size_t c = 0; c < particles.size(); ++c) {
+    if (size[c] == 0) continue;
+    ++result.count;
+    if (size[c] < least) least = size[c], result.slot = particles[c].second;
+  }
+  return result;
+}
+
+std::optional<Warning> Coherence::check(std::int64_t step, double time, bool due) {
+  const bool passed = step / steps_between != last_sample_ / steps_between;
+  last_sample_ = step;
+  if (!passed && !due) return std::nullopt;
+  for (std::size_t b = 0; b < groups_at_first_.size(); ++b) {
+    if (groups_at_first_[b] == 0) continue;
+    std::optional<Warning> found = check(b);
+    if (!found) continue;
+    groups_at_first_[b] = 0;
+    found->step = step;
+    found->time = time;
+    return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Warning> Coherence::check(std::size_t b) const {
+  const BodyParticles& body = executor_.bodies()[b];
+  if (!stretches_with_particles_ && !body[Attribute::deformation_xx].empty()) {
+    double widest = 0;
+    std::size_t slot = 0;
+    for (std::size_t i = 0; i < body.size(); ++i)
+      for (int edge = 0; edge < axes_; ++edge) {
+        double square = 0;
+        for (int axis = 0; axis < axes_; ++axis)
+          square += std::pow(body.component(Attribute::deformation_xx, 3 * axis + edge)[i], 2);
+        const double apart = 2 * body.constants.half_size[edge] * std::sqrt(square);
+        if (apart > widest) widest = apart, slot = i;
+      }
+    if (widest > widest_gap)
+      return warning(b, slot,
+                     "is stretched until its particles are " + rounded(widest) +
+                         " cells apart: there are holes that the shape functions do not see");
+  }
+  const Groups now = groups(body);
+  if (now.count <= groups_at_first_[b]) return std::nullopt;
+  return warning(b, now.slot,
+                 "has come apart into " + std::to_string(now.count) +
+                     " pieces that no shape function joins, though its material does not break");
+}
+
+Warning Coherence::warning(std::size_t b, std::size_t slot, const std::string& cause) const {
+  const BodyParticles& body = executor_.bodies()[b];
+  Warning warning;
+  warning.particle = model_.bodies[b].first_particle + body.number[slot];
+  double* const place[] = {&warning.place.x, &warning.place.y, &warning.place.z};
+  for (int axis = 0; axis < axes_; ++axis) *place[axis] = body.component(Attribute::position_x, axis)[slot];
+  warning.cause = "body \"" + model_.bodies[b].name + "\" " + cause;
+  warning.remedy =
+      "what follows is no longer its motion: choose numerics.scheme: \"TLMPM\", numerics.shape_functions: "
+      "\"cpdi\" or more "
+      "particles_per_cell_side";
+  return warning;
+}
+
+}  // namespace trajan
