@@ -1,0 +1,14 @@
+#pragma once
+
+#include "tests/stability/extremes.h"
+
+/// One function in each file of this folder.
+namespace trajan::stability {
+
+std::vector<Extreme> contrasts(Size size);
+std::vector<Extreme> long_runs(Size size);
+std::vector<Extreme> scales(Size size);
+std::vector<Extreme> time_steps(Size size);
+std::vector<Extreme> tiny(Size size);
+
+}  // namespace trajan::stability

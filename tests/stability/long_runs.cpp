@@ -1,0 +1,54 @@
+#include <cmath>
+
+#include "tests/stability/all_cases.h"
+
+/// Free vibration over very many steps: nothing may grow, and what keeps energy goes on keeping it.
+namespace trajan::stability {
+
+namespace {
+
+struct Keeping {
+  const char *scheme, *shape_functions, *transfer;
+  double loss;  ///< share of the energy that may go
+};
+/// FLIP keeps energy but for leapfrog's swaps, save under USL, which takes some (Bardenhagen 2002); the others
+/// smooth velocities in every step, and may take all of it.
+constexpr Keeping kinds[] = {{"USF", "linear", "FLIP", 0.02},   {"MUSL", "linear", "FLIP", 0.02},
+                             {"TLMPM", "linear", "FLIP", 0.02}, {"MUSL", "quadratic_bspline", "FLIP", 0.02},
+                             {"USL", "linear", "FLIP", 1},      {"MUSL", "quadratic_bspline", "APIC", 1},
+                             {"TLMPM", "linear", "APIC", 1},    {"MUSL", "linear", "XPIC", 1}};
+
+}  // namespace
+
+std::vector<Extreme> long_runs(Size size) {
+  const double steps = size == Size::quick ? 2e4 : 1e6;
+  std::vector<Extreme> extremes;
+  for (const Keeping& kind : kinds) {
+    Extreme extreme;
+    extreme.name = std::string(kind.scheme) + " " + kind.shape_functions + " " + kind.transfer + ", " +
+                   std::to_string(static_cast<int>(steps)) + " steps";
+    extreme.claim = "drift of the energy";
+    extreme.bound = kind.loss;
+    Scene& scene = extreme.scene;
+    scene = test::bar(kind.scheme, "linear_elastic", 0.5, 0.01);
+    scene.domain = {Dimension::bar, {-2}, {12}, 0.5, {}};
+    scene.bodies[0].geometry = Box{{0}, {10}};
+    scene.boundaries[0].nodes = Box{{0}, {0}};
+    scene.outputs.probes.clear();
+    scene.numerics.shape_functions = kind.shape_functions;
+    scene.numerics.transfer = kind.transfer;
+    // Half of what a wave takes through a cell.
+    scene.analysis.end_time = steps * 0.5 * 0.5 / 10;
+    scene.outputs.samples = 200;
+    extreme.figure = [](const Attempt& run) {
+      const std::vector<double> total = run.history("energies.total");
+      // Gain is never right.
+      const double gain = energy_gain(run);
+      return gain > 0.01 ? 1 + gain : total.back() / total.front() - 1;
+    };
+    extremes.push_back(extreme);
+  }
+  return extremes;
+}
+
+}  // namespace trajan::stability
