@@ -173,15 +173,31 @@ void BodyContacts::act_on(const Place& place, Near& near, Tiles& tiles, const He
                           NodeVector velocities) const {
   std::vector<NodeContact>& contacts = near.contacts;
   contacts.assign(place.contacts.begin(), place.contacts.end());
+  const auto component = [&](std::uint32_t field, int axis, int node) -> double& {
+    return tiles.nodes(place.first + field)[quantity(velocities, axis, axes_) * tile_nodes + node];
+  };
   for (NodeContact& contact : contacts) {
+    double approach = 0;
+    for (int axis = 0; axis < axes_; ++axis)
+      approach += contact.normal[static_cast<std::size_t>(axis)] *
+                  (component(contact.first, axis, contact.node) - component(contact.second, axis, contact.node));
+    // What pressed in the last kick does not part either.
+    if (dot(contact.impulse, contact.normal) > 0 && approach < contact.approach) {
+      for (double& along : contact.normal) along = -along;
+      contact.approach = -contact.approach;
+    }
     contact.bonded = contact.bonded || contact.sticks;
     contact.friction = 0;
   }
+  // Half of it: forces have worked on the mean of the velocities before and after contact, which is what strains
+  // must see for energy to be kept. All of it gives energy in proportion to the time step, whichever way particles
+  // move.
   const auto change = [&](std::span<const NodeContact> of_node, const std::vector<NodeMotion>& motions) {
     for (std::uint32_t f = 0; f < place.fields; ++f)
-      for (int axis = 0; axis < axes_ && motions[f].mass > 0; ++axis)
-        tiles.nodes(place.first + f)[quantity(velocities, axis, axes_) * tile_nodes + of_node[0].node] =
-            motions[f].velocity[static_cast<std::size_t>(axis)];
+      for (int axis = 0; axis < axes_ && motions[f].mass > 0; ++axis) {
+        double& v = component(f, axis, of_node[0].node);
+        v += 0.5 * (motions[f].velocity[static_cast<std::size_t>(axis)] - v);
+      }
   };
   exchange(place, contacts, near.motions, tiles, held, velocities, change);
 }
