@@ -74,17 +74,30 @@ void LeaseKeeper::speak() {
   }
 }
 
+grpc::Status LeaseKeeper::report(const v1::ReportRequest& request, v1::ReportResponse& response) const {
+  grpc::ClientContext context;
+  // A server that was away is found again while the call waits for it.
+  context.set_wait_for_ready(true);
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(5));
+  return server_.Report(&context, request, &response);
+}
+
+void LeaseKeeper::tell(const std::string& message) {
+  v1::ReportRequest request;
+  request.set_lease_id(lease_id_);
+  request.add_messages(message);
+  v1::ReportResponse response;
+  const grpc::Status status = report(request, response);
+  if (!status.ok()) logging::warning("not told", {{"message", message}, {"error", status.error_message()}});
+}
+
 void LeaseKeeper::report_once() {
   v1::ReportRequest request;
   request.set_lease_id(lease_id_);
   v1::Progress latest = progress();
   if (latest.total_steps() > 0) *request.mutable_progress() = std::move(latest);
-  grpc::ClientContext context;
-  // A server that was away is found again while the call waits for it.
-  context.set_wait_for_ready(true);
-  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(5));
   v1::ReportResponse response;
-  const grpc::Status status = server_.Report(&context, request, &response);
+  const grpc::Status status = report(request, response);
   if (status.ok()) {
     server_seen_ = Clock::now();
     if (response.cancel()) command_ = Command::cancel;

@@ -27,6 +27,8 @@ class LeaseKeeper {
   LeaseKeeper(const LeaseKeeper&) = delete;
   LeaseKeeper& operator=(const LeaseKeeper&) = delete;
 
+  /// For the job's event log. Waits for the server, but not for long: what matters is in the result's file too.
+  void tell(const std::string& message);
   /// Takes the latest progress. True if the run shall stop.
   bool update(const RunProgress& progress);
   Command command() const;
@@ -37,6 +39,7 @@ class LeaseKeeper {
   using Clock = std::chrono::steady_clock;
   void speak();
   void report_once();
+  grpc::Status report(const v1::ReportRequest& request, v1::ReportResponse& response) const;
   Clock::duration pause() const;
 
   v1::Workers::StubInterface& server_;

@@ -87,8 +87,8 @@ void compute(const v1::LeaseResponse& lease, int threads, LeaseKeeper& keeper, v
   const RunResult result =
       run(model, options, *writer, [&](const RunProgress& progress) { return keeper.update(progress); });
   if (result.warning)
-    logging::warning("the result is doubtful",
-                     {{"from_time", std::to_string(result.warning->time)}, {"cause", result.warning->cause}});
+    keeper.tell("warning: the result is doubtful from time " + std::to_string(result.warning->time) +
+                " on: " + result.warning->cause + "; " + result.warning->remedy);
   keeper.update(result.progress);
   *request.mutable_progress() = keeper.progress();
   switch (result.end) {

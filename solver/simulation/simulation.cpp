@@ -15,6 +15,8 @@ namespace {
 /// ones stay at some hundredths; instability multiplies energies, so that the bound only decides how early it is
 /// seen.
 constexpr double most_energy_from_nowhere = 0.5;
+/// From here on numbers are doubtful: velocities are off by half as much.
+constexpr double doubtful_energy_from_nowhere = 0.05;
 
 }  // namespace
 
@@ -116,10 +118,25 @@ void Simulation::measure() {
       columns_.push_back(executor_.account().reactions()[condition].impulse[axis] / last_interval());
   if (stepper_) stepper_->record(columns_);
   largest_input_ = std::max({largest_input_, std::abs(initial_energy_), std::abs(work)});
+  from_nowhere_ = largest_input_ > 0 ? from_nowhere / largest_input_ : 0.0;
   if (from_nowhere <= most_energy_from_nowhere * largest_input_) return;
-  executor_.diverge("energy has come from nowhere, " + std::to_string(from_nowhere / largest_input_) +
+  executor_.diverge("energy has come from nowhere, " + std::to_string(from_nowhere_) +
                         " times what went in: the motion is not stable",
                     "take a smaller numerics.time_step_fraction");
+}
+
+std::optional<Warning> Simulation::warning() {
+  if (from_nowhere_ > doubtful_energy_from_nowhere && !told_of_energy_) {
+    told_of_energy_ = true;
+    Warning warning;
+    warning.step = steps_;
+    warning.time = time();
+    warning.cause = "energy has come from nowhere, " + std::to_string(from_nowhere_) + " times what went in";
+    warning.remedy =
+        "take a smaller numerics.time_step_fraction, smoother numerics.shape_functions or a transfer that smooths";
+    return warning;
+  }
+  return coherence_.check(steps_, time(), sample_ == model_.outputs.samples);
 }
 
 void Simulation::follow_probes() {

@@ -41,7 +41,7 @@ class Simulation {
   Snapshot snapshot();
   Checkpoint save();
   /// Something that has gone wrong since, as far as anybody has looked; each thing is said once.
-  std::optional<Warning> warning() { return coherence_.check(steps_, time(), sample_ == model_.outputs.samples); }
+  std::optional<Warning> warning();
   /// @}
 
   double energy_balance_error() const { return balance_error_; }
@@ -70,6 +70,8 @@ class Simulation {
   Totals totals_;
   double initial_energy_ = 0, largest_energy_ = 0, balance_error_ = 0;
   double largest_input_ = 0;  ///< of initial energy and work so far
+  double from_nowhere_ = 0;   ///< energy that neither went in nor was there, over that
+  bool told_of_energy_ = false;
   std::vector<double> columns_;
   /// Probed particles in the order of the scene, with their reference positions and places in memory.
   std::vector<std::int64_t> probed_;
