@@ -65,33 +65,45 @@ class Nodes {
         velocities_[at] = velocity;
       }
   }
+  Components origin() const { return {model_.grid.origin.x, model_.grid.origin.y, model_.grid.origin.z}; }
   Components place(const Index& at) const {
-    const double origin[] = {model_.grid.origin.x, model_.grid.origin.y, model_.grid.origin.z};
     Components place{};
-    for (int axis = 0; axis < axes_; ++axis) place[axis] = origin[axis] + cell * static_cast<double>(at[axis]);
+    for (int axis = 0; axis < axes_; ++axis) place[axis] = origin()[axis] + cell * static_cast<double>(at[axis]);
     return place;
   }
-  /// The multilinear interpolation at a place; of one below the grid, its continuation.
+  /// By the functions of points: quadratic B-splines in their scenes, else linear ones.
   double interpolated(const Components& at, int component) const {
-    const double origin[] = {model_.grid.origin.x, model_.grid.origin.y, model_.grid.origin.z};
+    Weights along[3] = {{{0, 1}}, {{0, 1}}, {{0, 1}}};
+    for (int axis = 0; axis < axes_; ++axis) along[axis] = weights((at[axis] - origin()[axis]) / cell);
     double sum = 0;
-    for (int corner = 0; corner < 1 << axes_; ++corner) {
-      Index index{};
-      double weight = 1;
-      for (int axis = 0; axis < axes_; ++axis) {
-        const double c = (at[axis] - origin[axis]) / cell;
-        const double first = std::max(0.0, std::floor(c)), within = c - first;
-        index[axis] = static_cast<std::int64_t>(first) + (corner >> axis & 1);
-        weight *= corner >> axis & 1 ? within : 1 - within;
-      }
-      const auto found = velocities_.find(index);
-      if (found != velocities_.end()) sum += weight * found->second[component];
-    }
+    for (const auto& [i, weight_x] : along[0])
+      for (const auto& [j, weight_y] : along[1])
+        for (const auto& [k, weight_z] : along[2]) {
+          const auto found = velocities_.find(Index{i, j, k});
+          if (found != velocities_.end()) sum += weight_x * weight_y * weight_z * found->second[component];
+        }
     return sum;
   }
   const std::map<Index, Components>& velocities() const { return velocities_; }
 
  private:
+  /// Nodes along an axis with their weights.
+  using Weights = std::vector<std::pair<std::int64_t, double>>;
+  /// At a coordinate in cells from the domain's lower face. Below it linear functions go on, and of splines those
+  /// are folded that lie beyond it (Steffen, Kirby and Berzins 2008).
+  Weights weights(double coordinate) const {
+    if (model_.numerics.shape_functions != "quadratic_bspline") {
+      const double first = std::max(0.0, std::floor(coordinate)), within = coordinate - first;
+      return {{static_cast<std::int64_t>(first), 1 - within}, {static_cast<std::int64_t>(first) + 1, within}};
+    }
+    const double middle = std::max(0.0, std::round(coordinate)), off = coordinate - middle;
+    const auto node = static_cast<std::int64_t>(middle);
+    const double before = 0.5 * (0.5 - off) * (0.5 - off), behind = 0.5 * (0.5 + off) * (0.5 + off);
+    const double here = 0.75 - off * off;
+    if (node == 0) return {{0, here + 2 * before}, {1, behind - before}};
+    return {{node - 1, before}, {node, here}, {node + 1, behind}};
+  }
+
   int axes_;
   const Model& model_;
   std::map<Index, Components> velocities_;

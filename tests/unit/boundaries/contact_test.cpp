@@ -1,5 +1,3 @@
-#include <gmock/gmock.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -25,7 +23,7 @@ Scene incline(double angle, double friction, const std::string& scheme) {
 }
 
 class Incline : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Schemes, Incline, testing::Values("MUSL", "TLMPM"));
+INSTANTIATE_TEST_SUITE_P(Schemes, Incline, testing::Values("USL", "MUSL", "TLMPM"));
 
 /// By how much friction falls short of Coulomb's share of the normal force, at most.
 double shortfall(Scene scene, double friction) {
@@ -50,22 +48,10 @@ TEST_P(Incline, TakesCoulombsShareOfTheNormalForce) {
     EXPECT_LT(coarse, 1e4 * epsilon);
   }
   // Where particles cross cells a node of little mass may slide backwards or stick for a moment; how often, goes
-  // with the cells.
+  // with the cells. Such nodes run away under USL, which is why MUSL maps velocities twice.
   if (GetParam() != "MUSL") return;
   scene.domain.cell_size /= 2;
   EXPECT_LT(shortfall(scene, friction), coarse / 2);
-}
-
-// Nodes of little mass run away, which is why MUSL maps velocities twice.
-TEST(InclineUnderUsl, GivesNoAnswerFromEnergyThatCameFromNowhere) {
-  Scene scene = incline(std::numbers::pi / 6, 0.3, "USL");
-  scene.bodies[0].initial_velocity.x = "3";
-  const Model model = validate(scene);
-  test::Memory memory;
-  const RunResult result = run(model, {}, memory, nullptr);
-  ASSERT_EQ(result.end, RunEnd::diverged);
-  EXPECT_THAT(result.divergence->cause, testing::HasSubstr("energy has come from nowhere"));
-  EXPECT_THAT(result.divergence->remedy, testing::HasSubstr("MUSL"));
 }
 
 TEST_P(Incline, SlowsWhatSlidesDownIt) {

@@ -1,5 +1,3 @@
-#include <gmock/gmock.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -64,14 +62,6 @@ TEST_P(Hinges, HoldTheMeanOfAnEdgeAgainstAWeight) {
   scene.analysis = {4, 20};
   scene.outputs.probes = {
       {"top", Region{Box{{offset(), 0.9 + offset()}, {2 + offset(), 1 + offset()}}}, {Field::displacement}, ""}};
-  if (scheme() == "USL" && offset() == 0.125) {
-    // Particles lie next to lines of nodes to which they give next to no mass: these run away under USL.
-    test::Memory memory;
-    const RunResult result = trajan::run(validate(scene), {}, memory, nullptr);
-    ASSERT_TRUE(result.divergence);
-    EXPECT_THAT(result.divergence->cause, testing::HasSubstr("energy has come from nowhere"));
-    return;
-  }
   const Histories run(scene);
   // At rest: the hinge carries the weight.
   EXPECT_NEAR(run.last("momentum.x"), 0, 0.02);
