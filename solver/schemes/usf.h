@@ -14,8 +14,7 @@ struct Usf {
   static void step(Executor& mpm, const StepTimes& times) {
     mpm.particles({Pass::locate, Pass::force, Pass::scatter_state});
     mpm.update_velocities(times);
-    mpm.particles(
-        {Pass::locate, Pass::update_velocity, Pass::gather_velocity, Pass::move});
+    mpm.particles({Pass::locate, Pass::update_velocity, Pass::gather_velocity, Pass::move});
     mpm.particles({Pass::locate, Pass::scatter_motion});
     mpm.map_velocities(true);
     mpm.particles({Pass::locate, Pass::gather_gradient, Pass::deform});

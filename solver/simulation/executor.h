@@ -13,8 +13,8 @@
 #include "solver/executors/thread_pool.h"
 #include "solver/loads/loads.h"
 #include "solver/simulation/account.h"
-#include "solver/simulation/particles.h"
 #include "solver/simulation/particle_order.h"
+#include "solver/simulation/particles.h"
 #include "solver/simulation/pass.h"
 #include "solver/transfers/transfer.h"
 
