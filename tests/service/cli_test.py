@@ -303,3 +303,23 @@ def test_plot_and_render_draw_pictures(trajan, server, tmp_path):
         trajan("render", job, "--field", "stress.xx", "-O", f"particles{suffix}")
         for name in ("history", "spectrum", "particles"):
             assert (tmp_path / f"{name}{suffix}").read_bytes().startswith(start)
+
+
+# Particles on nodes of linear functions: energy comes from nowhere, step by step.
+SHAKEN = """
+name: "shaken"
+domain { dimension: BAR lower { x: 0 } upper { x: 12 } cell_size: 1 }
+materials { name: "solid" density: 1 linear_elastic { youngs_modulus: 100 poissons_ratio: 0.3 } }
+bodies { name: "block" material: "solid" geometry { box { lower { x: 4.25 } upper { x: 7.25 } } }
+         initial_velocity { x: "0.001*sin(41*x)" } }
+analysis { end_time: 8 }
+numerics { scheme: "USF" time_step: 0.05 }
+outputs { samples: 10 snapshots: 1 }
+"""
+
+
+def test_a_doubtful_result_is_told_and_a_wrong_one_is_none(trajan, tmp_path):
+    (tmp_path / "shaken.textproto").write_text(SHAKEN)
+    told = trajan("run", "shaken.textproto", expect=1).stderr
+    assert "warning: the result is doubtful from time 0.8" in told
+    assert "DIVERGED: energy has come from nowhere" in told
