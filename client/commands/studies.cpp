@@ -117,6 +117,14 @@ ExitCode tradeoff(const GlobalOptions& global, const TradeoffOptions& asked) {
   return perform_study(global, asked.study, request);
 }
 
+CLI::Option* add_over(CLI::App& app, std::vector<std::string>& over, const char* help) {
+  return app.add_option("--over", over, help)
+      ->type_name("PATH=VALUES")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 void declare_study(CLI::App& app, const GlobalOptions& global, Action& action) {
@@ -140,12 +148,8 @@ void declare_study(CLI::App& app, const GlobalOptions& global, Action& action) {
 void declare_tradeoff(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto asked = std::make_shared<TradeoffOptions>();
   add_study_options(app, asked->study);
-  app.add_option("--over", asked->over,
-                 "Values of a field as in sweep, instead of the usual dials; repeated: all combinations")
-      ->type_name("PATH=VALUES")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  add_over(app, asked->over,
+           "Values of a field as in sweep, instead of the usual dials; repeated: all combinations");
   app.add_option("--measure", asked->measure, "Whose error counts (default: the first with an exact value)");
   app.add_option("--picture", asked->study.picture, "Draw error over core-seconds: .png, .svg or .pdf")
       ->type_name("FILE");
@@ -156,13 +160,8 @@ void declare_tradeoff(CLI::App& app, const GlobalOptions& global, Action& action
 void declare_sweep(CLI::App& app, const GlobalOptions& global, Action& action) {
   const auto asked = std::make_shared<SweepOptions>();
   add_study_options(app, asked->study);
-  app.add_option("--over", asked->over,
-                 "Values of a field, v1,v2,... or from:to:count; repeated: all combinations")
-      ->type_name("PATH=VALUES")
-      ->required()
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  add_over(app, asked->over, "Values of a field, v1,v2,... or from:to:count; repeated: all combinations")
+      ->required();
   app.footer(
       "As in: trajan sweep cantilever --over domain.cell_size=0.25,0.125 --over numerics.scheme=MUSL,TLMPM");
   set_action(app, global, action, asked, sweep);
