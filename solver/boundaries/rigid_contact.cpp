@@ -29,7 +29,7 @@ RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle, st
 
 void RigidContact::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
   held_ = &held;
-  sticks_.assign(tiles.size() * TileNodes::count, 0);
+  touches_.assign(tiles.size() * TileNodes::count, Touch::none);
 }
 
 void RigidContact::prepare(const Kick& kick) {
@@ -65,21 +65,21 @@ bool RigidContact::may_touch(const TileNodes& nodes) const {
   return distance(centre, normal) <= std::hypot(b.x - a.x, b.y - a.y, b.z - a.z) / 2 + frame_.cell;
 }
 
-bool RigidContact::respond(const Components& relative, Components normal, unsigned held,
-                           Components& change) const {
+RigidContact::Touch RigidContact::respond(const Components& relative, Components normal, unsigned held,
+                                          Components& change) const {
   change = {};
   Components free = relative;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (held >> axis & 1u) free[axis] = normal[axis] = 0;
   if (obstacle_.bonded) {
     for (std::size_t axis = 0; axis < 3; ++axis) change[axis] = -free[axis];
-    return true;
+    return Touch::sticks;
   }
   const double length = std::sqrt(dot(normal, normal));
-  if (length < least_normal) return false;
+  if (length < least_normal) return Touch::none;
   for (double& component : normal) component /= length;
   const double approach = -dot(free, normal);
-  if (approach <= 0 && obstacle_.separates) return false;
+  if (approach <= 0 && obstacle_.separates) return Touch::none;
   Components along;
   for (std::size_t axis = 0; axis < 3; ++axis) along[axis] = free[axis] + approach * normal[axis];
   const double sliding = std::sqrt(dot(along, along));
@@ -87,13 +87,13 @@ bool RigidContact::respond(const Components& relative, Components normal, unsign
   const bool sticks = sliding <= friction;
   const double share = sticks ? 1 : friction / sliding;
   for (std::size_t axis = 0; axis < 3; ++axis) change[axis] = approach * normal[axis] - share * along[axis];
-  return sticks;
+  return sticks ? Touch::sticks : Touch::slides;
 }
 
 void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<Reaction> reactions) {
-  std::uint8_t* sticks = sticks_.data() + tile * TileNodes::count;
+  Touch* touches = touches_.data() + tile * TileNodes::count;
   const std::uint8_t* held = held_->data() + tile * TileNodes::count;
-  std::fill(sticks, sticks + TileNodes::count, std::uint8_t{0});
+  std::fill(touches, touches + TileNodes::count, Touch::none);
   Reaction& reaction = reactions[condition_];
   if (!may_touch(nodes)) return;
   const auto axes = static_cast<std::size_t>(frame_.dimensions);
@@ -103,7 +103,7 @@ void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<React
     if (!(mass > 0) || distance(frame_.place(nodes, node), normal) > tolerance * frame_.cell) continue;
     for (std::size_t axis = 0; axis < axes; ++axis)
       relative[axis] = nodes.velocity(static_cast<int>(axis))[node] - velocity_[axis];
-    sticks[node] = respond(relative, normal, held[node], change);
+    touches[node] = respond(relative, normal, held[node], change);
     for (std::size_t axis = 0; axis < axes; ++axis) {
       double& a = nodes.acceleration(static_cast<int>(axis))[node];
       double& v = nodes.velocity(static_cast<int>(axis))[node];
@@ -118,7 +118,9 @@ void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<React
   }
 }
 
-/// Friction has been applied once, with the momentum that was mapped first; what stuck sticks here too.
+/// Friction has been applied once, with the momentum that was mapped first. What stuck sticks here too, and what
+/// pressed does not part either. Half of it, as between bodies: forces have worked on the mean of the velocities
+/// before and after contact, which is what strains must see for energy to be kept.
 void RigidContact::act_on_mapped(std::size_t tile, const TileNodes& nodes) const {
   if (!may_touch(nodes)) return;
   const auto axes = static_cast<std::size_t>(frame_.dimensions);
@@ -132,10 +134,10 @@ void RigidContact::act_on_mapped(std::size_t tile, const TileNodes& nodes) const
     }
     const double square = dot(normal, normal);
     double share = square > least_normal * least_normal ? dot(relative, normal) / square : 0;
-    if (obstacle_.separates) share = std::min(share, 0.0);
+    if (obstacle_.separates && touches_[index] == Touch::none) share = std::min(share, 0.0);
     for (std::size_t axis = 0; axis < axes; ++axis)
       nodes.mapped_velocity(static_cast<int>(axis))[node] -=
-          sticks_[index] ? relative[axis] : share * normal[axis];
+          0.5 * (touches_[index] == Touch::sticks ? relative[axis] : share * normal[axis]);
   }
 }
 

@@ -25,8 +25,9 @@ class RigidContact : public Condition {
   /// Outward normal, and how far outside a place is; < 0 within.
   double distance(Vector at, Components& normal) const;
   bool may_touch(const TileNodes& nodes) const;
-  /// The change of a relative velocity; components that others prescribe stay. Whether it sticks.
-  bool respond(const Components& relative, Components normal, unsigned held, Components& change) const;
+  enum class Touch : std::uint8_t { none, slides, sticks };
+  /// The change of a relative velocity; components that others prescribe stay.
+  Touch respond(const Components& relative, Components normal, unsigned held, Components& change) const;
 
   const RigidObstacle& obstacle_;
   std::size_t condition_;
@@ -36,7 +37,7 @@ class RigidContact : public Condition {
   Components velocity_{};  ///< after the kick
   double kick_ = 0;
   const HeldComponents* held_ = nullptr;
-  std::vector<std::uint8_t> sticks_;  ///< by tile and node: whether it did in the last kick
+  std::vector<Touch> touches_;  ///< by tile and node: what happened in the last kick
 };
 
 }  // namespace trajan
