@@ -123,7 +123,7 @@ void Assembly::stiffness(const std::vector<double>& tangents, SparseMatrix& out)
       for (std::size_t a = 0; a < difference.nodes.size(); ++a)
         for (std::size_t k = 0; k < axes; ++k)
           column[k][static_cast<std::size_t>(place[difference.nodes[a]]) + k] +=
-              difference.stiffness * ghost_.coefficients()[a] * ghost_.coefficients()[b];
+              difference.stiffness * difference.coefficients[a] * difference.coefficients[b];
     }
   });
 }
@@ -165,7 +165,7 @@ void Assembly::add_forces(const std::vector<double>& forces, std::span<const dou
       const GhostPenalty::Difference& difference = ghost_.differences()[d];
       for (std::size_t a = 0; a < difference.nodes.size(); ++a)
         for (std::size_t k = 0; k < axes; ++k)
-          force[k] += difference.stiffness * ghost_.coefficients()[a] * ghost_.coefficients()[b] *
+          force[k] += difference.stiffness * difference.coefficients[a] * difference.coefficients[b] *
                       displacement[difference.nodes[a] * axes + k];
     }
   });

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "solver/implicit/stencil_kernels.h"
+#include "solver/model/spline_degree.h"
 
 namespace trajan {
 namespace {
@@ -32,7 +33,8 @@ Discretization::Discretization(const Model& model, Executor& executor)
 }
 
 void Discretization::find_stencils(const Model& model, Executor& executor) {
-  const StencilKernel kernel = stencil_kernel(model.numerics.shape_functions, model.dimension);
+  const StencilKernel kernel =
+      stencil_kernel(model.numerics.shape_functions, model.dimension, splines_keep_degree(model));
   std::vector<BlockStencils> stencils(tiles_.blocks().size());
   const std::size_t particles = first_particle_.back();
   masses_.resize(particles);

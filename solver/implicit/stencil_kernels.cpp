@@ -1,6 +1,9 @@
 #include "solver/implicit/stencil_kernels.h"
 
+#include <cmath>
+
 #include "solver/shapes/shapes.h"
+#include "solver/surfaces/spline_faces.h"
 #include "solver/transfers/corner_stencil.h"
 
 namespace trajan {
@@ -28,36 +31,68 @@ void append(Block& block, BlockStencils& out) {
   }
 }
 
+/// As `locate`, with splines that keep their degree up to faces of the domain. Particles are sorted.
+template <class Shape, Layout L>
+void locate_to_faces(Block& block) {
+  Scratch& s = *block.scratch;
+  const SweepConstants& c = *block.sweep;
+  const PointFunctions& functions = point_functions(Shape::name);
+  for (int axis = 0; axis < L.dimensions; ++axis) {
+    locate_along<Shape, L>(block, axis);
+    if (c.period[axis] > 0) {
+      weigh_along<Shape>(block, axis);
+      continue;
+    }
+    const double* x = block.component(Attribute::position_x, axis);
+    const double window = block.window_first[axis] - (L.below - 1);
+    const SplineFaces faces{-window, c.faces[axis] - window};
+    for (int i = 0; i < block.count; ++i) {
+      double& place = s.place[axis][i];
+      const double node = (x[i] - c.origin[axis]) * c.inverse_cell - window;
+      const int first = static_cast<int>(std::lround(node - place)), inside = faces.inside(first, functions);
+      s.cell[i] += (inside - first) * L.window_stride(axis);
+      place -= inside - first;
+      double weight[Shape::nodes], slope[Shape::nodes];
+      faces.weigh(functions, inside, place, weight, slope);
+      for (int n = 0; n < Shape::nodes; ++n) {
+        s.weight[axis][n][i] = weight[n];
+        s.slope[axis][n][i] = slope[n];
+      }
+    }
+  }
+}
+
 template <class Shape>
 constexpr bool by_corners = requires {
   requires Shape::corners;
 };
 
 template <class Shape, int D>
-constexpr StencilKernel kernel() {
+constexpr StencilKernel kernel(bool to_faces) {
   if constexpr (by_corners<Shape>) {
     constexpr Layout layout{D, true};
     return &append<CornerStencil<layout>, layout, &locate_corners<Shape, layout>>;
   } else {
     constexpr Layout layout{D, Shape::wide};
-    return &append<ProductStencil<Shape::nodes, layout>, layout, &locate<Shape, layout>>;
+    using Stencil = ProductStencil<Shape::nodes, layout>;
+    if constexpr (Shape::folds && polynomial_degree(Shape::name) > 1)
+      if (to_faces) return &append<Stencil, layout, &locate_to_faces<Shape, layout>>;
+    return &append<Stencil, layout, &locate<Shape, layout>>;
   }
 }
 
 }  // namespace
 
-StencilKernel stencil_kernel(std::string_view shape_functions, Dimension dimension) {
+StencilKernel stencil_kernel(std::string_view shape_functions, Dimension dimension, bool to_faces) {
   const int axes = grid_axes(dimension);
-#define TRAJAN_STENCIL(Shape)         \
-  if (Shape::name == shape_functions) \
-    return axes == 1 ? kernel<Shape, 1>() : axes == 2 ? kernel<Shape, 2>() : kernel<Shape, 3>();
+#define TRAJAN_STENCIL(Shape)                       \
+  if (Shape::name == shape_functions)               \
+    return axes == 1   ? kernel<Shape, 1>(to_faces) \
+           : axes == 2 ? kernel<Shape, 2>(to_faces) \
+                       : kernel<Shape, 3>(to_faces);
   TRAJAN_FOR_EACH_SHAPE_CLASS(TRAJAN_STENCIL)
 #undef TRAJAN_STENCIL
   return nullptr;
-}
-
-int polynomial_degree(std::string_view shape_functions) {
-  return shape_functions == "quadratic_bspline" ? 2 : shape_functions == "cubic_bspline" ? 3 : 1;
 }
 
 }  // namespace trajan

@@ -22,10 +22,15 @@ struct BlockStencils {
 /// Appends those of a block. What particles are out of their window is counted as trouble.
 using StencilKernel = void (*)(Block&, BlockStencils&);
 
-/// nullptr: there are no shape functions of that name.
-StencilKernel stencil_kernel(std::string_view shape_functions, Dimension dimension);
+/// nullptr: there are no shape functions of that name. `to_faces`: splines keep their degree up to faces of the
+/// domain (solver/surfaces/spline_faces.h).
+StencilKernel stencil_kernel(std::string_view shape_functions, Dimension dimension, bool to_faces);
 
 /// The degree of the polynomials that these shape functions' sums on the grid reproduce.
-int polynomial_degree(std::string_view shape_functions);
+constexpr int polynomial_degree(std::string_view shape_functions) {
+  return shape_functions == "cubic_bspline"                                         ? 3
+         : shape_functions == "quadratic_bspline" || shape_functions == "bernstein" ? 2
+                                                                                    : 1;
+}
 
 }  // namespace trajan

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/model/spline_degree.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/particles.h"
+#include "solver/surfaces/spline_faces.h"
 
 namespace trajan {
 namespace {
@@ -106,12 +108,19 @@ Riders::Values Riders::slopes(const Stencil& stencil, const double (&place)[3], 
 Riders::Values Riders::product(const Stencil& stencil, const double (&place)[3], int sloped) const {
   Values values;
   values[0] = sloped < 0 ? 1 : 1 / model_.grid.cell;
+  const bool to_faces = functions_.folds && splines_keep_degree(model_);
   std::size_t count = 1;
   for (int axis = 0; axis < axes_; ++axis) {
     double weight[most_nodes_along], slope[most_nodes_along];
-    functions_.weigh(place[axis], weight, slope);
     double* along = axis == sloped ? slope : weight;
-    fold(functions_, stencil.below[axis], stencil.above[axis], along);
+    if (to_faces) {
+      const SplineFaces faces{static_cast<double>(stencil.below[axis]),
+                              static_cast<double>(functions_.nodes - 1 - stencil.above[axis])};
+      faces.weigh(functions_, 0, place[axis], weight, slope);
+    } else {
+      functions_.weigh(place[axis], weight, slope);
+      fold(functions_, stencil.below[axis], stencil.above[axis], along);
+    }
     for (auto n = static_cast<std::size_t>(functions_.nodes); n-- > 0;)
       for (std::size_t k = 0; k < count; ++k) values[n * count + k] = values[k] * along[n];
     count *= static_cast<std::size_t>(functions_.nodes);
@@ -125,6 +134,7 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
   const Layout& layout = tiles.layout();
   const BodyParticles& body = bodies[carriers_[p].body];
   Stencil stencil{tiles_[p], 0};
+  const bool to_faces = functions_.folds && splines_keep_degree(model_);
   for (int axis = 0; axis < axes_; ++axis) {
     const double origin = component(model_.grid.origin, axis);
     const double at = body.component(Attribute::position_x, axis)[carriers_[p].index];
@@ -143,16 +153,18 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
     const double lowest = tile.cells.lowest[axis] + layout.below - 1;
     const double highest = tile.cells.highest[axis] + layout.below - 1e-9;
     const double inner = carrier + component(inward_[p], axis);
-    const int node = functions_.first_node(std::max(lowest, std::min(inner, highest)));
+    int node = functions_.first_node(std::max(lowest, std::min(inner, highest)));
+    const auto cells = static_cast<double>(model_.grid.cells()[static_cast<std::size_t>(axis)]);
+    if (to_faces && period == 0) node = SplineFaces{-first, cells - first}.inside(node, functions_);
     stencil.of_carrier[axis] = carrier - node;
     stencil.of_point[axis] = point - node;
     stencil.node += node * layout.window_stride(axis);
-    if (period > 0 || !functions_.folds) continue;
-    const auto on_grid = static_cast<std::int64_t>(first) + node;
-    const std::int64_t last = model_.grid.cells()[static_cast<std::size_t>(axis)];
-    stencil.below[axis] = static_cast<int>(std::clamp<std::int64_t>(-on_grid, 0, functions_.nodes));
-    stencil.above[axis] =
-        static_cast<int>(std::clamp<std::int64_t>(on_grid + functions_.nodes - 1 - last, 0, functions_.nodes));
+    if (!functions_.folds) continue;
+    const auto most = static_cast<double>(functions_.nodes), least = to_faces ? -most : 0.0;
+    const double below = period > 0 ? least : -first - node;
+    const double above = period > 0 ? least : first + node + functions_.nodes - 1 - cells;
+    stencil.below[axis] = static_cast<int>(std::clamp(below, least, most));
+    stencil.above[axis] = static_cast<int>(std::clamp(above, least, most));
   }
   return stencil;
 }

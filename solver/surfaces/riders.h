@@ -67,7 +67,7 @@ class Riders {
     std::uint32_t tile;
     int node;
     double of_carrier[3] = {}, of_point[3] = {};
-    int below[3] = {}, above[3] = {};  ///< how many of the nodes lie beyond a face of the domain
+    int below[3] = {}, above[3] = {};  ///< nodes beyond a face of the domain; less than 0: up to the face
   };
   Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p) const;
   /// One value for each of the first corners() nodes, x fastest.

@@ -131,22 +131,52 @@ Scene with_gauss_points(Scene scene) {
   return scene;
 }
 
+/// Shape functions, their degree, particles along a cell's side, the coarsest cells and how many halvings of them,
+/// and by how much the order may be above twice the degree, since terms of higher orders count on coarse cells.
+using Convergence = std::tuple<const char*, int, int, double, int, double>;
+class GaussPoints : public testing::TestWithParam<Convergence> {};
+
 // Particles at Gauss' points sum up stiffness and mass of full cells exactly; eigenvalues then converge at twice
-// the degree of the functions (Strang and Fix 1973, section 6.3). Splines do not where they are folded at the
-// faces of the domain, as they are at these supports.
-TEST(BeamModes, WithGaussPointsConvergeAtTwiceTheDegreeOfTheShapeFunctions) {
-  for (const auto& [shape_functions, degree] : {std::tuple{"linear", 1}, std::tuple{"bernstein", 2}})
-    for (int mode = 1; mode <= 3; ++mode) {
-      ConvergenceTable table(std::string("beam_modes, Gauss points, ") + shape_functions + ", " +
-                             bending_modes[mode - 1]);
-      // Bernstein functions of the coarsest cells have one element over the height, which is not enough.
-      for (const double cell_size : {0.5 / degree, 0.25 / degree, 0.125 / degree}) {
-        const Scene scene = with_gauss_points(modes(shape_functions, cell_size, degree + 1));
-        table.add(cell_size, run_scene(scene).measure(bending_modes[mode - 1]).value / rayleigh_lamb(mode) - 1);
-      }
-      table.print();
-      EXPECT_NEAR(table.order(), 2 * degree, 0.1 * 2 * degree) << "terms of higher order";
+// the degree of the functions (Strang and Fix 1973, section 6.3). The ends of the beam lie on faces of the domain.
+TEST_P(GaussPoints, LetModesOfABeamConvergeAtTwiceTheDegreeOfTheShapeFunctions) {
+  const auto [shape_functions, degree, particles_per_cell_side, coarsest, halvings, above] = GetParam();
+  for (int mode = 1; mode <= 3; ++mode) {
+    ConvergenceTable table(std::string("beam_modes, Gauss points, ") + shape_functions + ", " +
+                           bending_modes[mode - 1]);
+    for (int halving = 0; halving <= halvings; ++halving) {
+      const double cell_size = std::ldexp(coarsest, -halving);
+      const Scene scene = with_gauss_points(modes(shape_functions, cell_size, particles_per_cell_side));
+      table.add(cell_size, run_scene(scene).measure(bending_modes[mode - 1]).value / rayleigh_lamb(mode) - 1);
     }
+    table.print();
+    EXPECT_GE(table.order(), (1 - 0.1) * 2 * degree);
+    EXPECT_LE(table.order(), (1 + above) * 2 * degree);
+  }
+}
+// Half the cells again leave cubic splines an error of rounding.
+INSTANTIATE_TEST_SUITE_P(ShapeFunctions, GaussPoints,
+                         testing::Values(Convergence{"linear", 1, 2, 0.5, 2, 0.1},
+                                         Convergence{"quadratic_bspline", 2, 4, 0.5, 2, 0.1},
+                                         Convergence{"bernstein", 2, 3, 0.25, 2, 0.1},
+                                         Convergence{"cubic_bspline", 3, 4, 0.5, 1, 0.2}),
+                         [](const auto& named) { return std::string(std::get<0>(named.param)); });
+
+// The beam's faces cut its two rows of elements in half. What is held of the elements' ends (ghost penalty) must
+// not hold the beam: the functions are more than those of one row of whole elements, so that frequencies are
+// nearer to the exact ones, from above (Rayleigh and Ritz).
+TEST(BeamModes, OfBernsteinElementsCutInHalfAreBetterThanThoseOfOneRowOfWholeElements) {
+  Scene cut = with_gauss_points(modes("bernstein", 0.5, 3)), whole = cut;
+  whole.domain.lower.y = -1;
+  whole.domain.upper.y = 2;
+  const Outcome halves = run_scene(cut), one = run_scene(whole);
+  for (int mode = 1; mode <= 3; ++mode) {
+    const char* measure = bending_modes[mode - 1];
+    const double of_halves = halves.measure(measure).value / rayleigh_lamb(mode) - 1;
+    const double of_one = one.measure(measure).value / rayleigh_lamb(mode) - 1;
+    std::printf("%s: error %.3e with halves of elements, %.3e with whole ones\n", measure, of_halves, of_one);
+    EXPECT_GT(of_halves, 0);
+    EXPECT_LT(of_halves, of_one);
+  }
 }
 
 class SquareModes : public testing::TestWithParam<std::tuple<const char*, int, int, double>> {};
@@ -207,7 +237,10 @@ TEST_P(BarModes, ConvergeAtTwiceTheDegreeOfTheShapeFunctions) {
     table.add(cell_size, frequency_without_quadrature / exact - 1);
   }
   table.print();
-  EXPECT_NEAR(table.order(), order, 0.3) << "six and thirteen cells a wave";
+  // Six and thirteen cells a wave. The polynomials at the wall are of the same order, but with few cells they
+  // still add to it: with further halvings cubic splines go on with 7.5 and 6.4.
+  EXPECT_GE(table.order(), order - 0.3);
+  EXPECT_LE(table.order(), order + 2);
 }
 INSTANTIATE_TEST_SUITE_P(ShapeFunctions, BarModes,
                          testing::Values(std::tuple{"linear", 2.0}, std::tuple{"quadratic_bspline", 4.0},
@@ -262,10 +295,10 @@ TEST(ColumnBuckling, DependsOnTheLawAsReferencesDo) {
   EXPECT_NEAR(by_rates / factor, 1.0048, 0.001);
 }
 
-/// Errors of Cook's membrane at cells of 4, 2 and 1.
-ConvergenceTable cook_membrane(const std::string& remedy, const std::string& shapes) {
+/// Errors of Cook's membrane at cells of 4, 2 and so on.
+ConvergenceTable cook_membrane(const std::string& remedy, const std::string& shapes, double finest) {
   ConvergenceTable table("Cook's membrane, " + shapes + ", locking remedy " + remedy);
-  for (double cell : {4.0, 2.0, 1.0}) {
+  for (double cell = 4; cell >= finest; cell /= 2) {
     Scene scene = with_cells(gallery_scene("cook_membrane_linear"), cell);
     std::get<Box>(std::get<Region>(scene.outputs.probes.at(0).where)).lower.x = 48 - cell / 2;
     scene.numerics.locking_remedy = remedy;
@@ -277,14 +310,14 @@ ConvergenceTable cook_membrane(const std::string& remedy, const std::string& sha
 }
 
 // Poisson's ratio is 0.4999. What stays of the remedied error is that of bending, and that of edges which cut
-// cells.
+// cells. In cells of 1 splines hardly lock any more.
 TEST(LockingRemedy, LetsCooksMembraneBend) {
-  EXPECT_GT(std::abs(cook_membrane("none", "linear").last()), 0.2) << "locked even at the finest cells";
-  const ConvergenceTable linear = cook_membrane("mean_dilatation", "linear");
+  EXPECT_GT(std::abs(cook_membrane("none", "linear", 1).last()), 0.2) << "locked even at the finest cells";
+  const ConvergenceTable linear = cook_membrane("mean_dilatation", "linear", 1);
   EXPECT_LT(std::abs(linear.last()), 0.02);
   EXPECT_GT(linear.order(), 1);
-  EXPECT_LT(std::abs(cook_membrane("mean_dilatation", "quadratic_bspline").last()),
-            0.3 * std::abs(cook_membrane("none", "quadratic_bspline").last()));
+  EXPECT_LT(std::abs(cook_membrane("mean_dilatation", "quadratic_bspline", 2).last()),
+            0.3 * std::abs(cook_membrane("none", "quadratic_bspline", 2).last()));
 }
 
 }  // namespace

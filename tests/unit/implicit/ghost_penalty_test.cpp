@@ -46,7 +46,7 @@ Conditions2 conditions(const char* shapes, double reach) {
 }
 
 TEST(GhostPenalty, KeepsConditionNumbersWhereverTheBoundaryCutsCells) {
-  for (const char* shapes : {"linear", "gimp", "quadratic_bspline", "cubic_bspline"}) {
+  for (const char* shapes : {"linear", "gimp", "quadratic_bspline", "cubic_bspline", "bernstein"}) {
     const double half_way = conditions(shapes, 0.5).with;
     for (double reach : {1e-2, 1e-3, 1e-4}) {
       const auto [with, without] = conditions(shapes, reach);
@@ -64,7 +64,7 @@ TEST(GhostPenalty, WithoutItConditionNumbersGrowWithoutBound) {
 }
 
 TEST(GhostPenalty, HoldsNothingOfABodyWhoseFacesLieOnTheGrid) {
-  for (const char* shapes : {"linear", "gimp", "quadratic_bspline", "cubic_bspline"}) {
+  for (const char* shapes : {"linear", "gimp", "quadratic_bspline", "cubic_bspline", "bernstein"}) {
     Scene scene = block(Dimension::plane_strain, "neo_hookean", 2, 0.25, 0.3);
     scene.numerics.shape_functions = shapes;
     const Model model = validate(scene);
