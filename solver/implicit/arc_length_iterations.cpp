@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solver/implicit/reduction.h"
+
 namespace trajan {
 namespace {
 
@@ -22,8 +24,7 @@ ArcLengthIterations::ArcLengthIterations(const Newton& options, SparseSolver& so
 NewtonIterations::State ArcLengthIterations::iterate() {
   if (failure_ != Failure::none) return State::failed;
   const SparseMatrix& expand = balance_.constraints().expand();
-  const SparseMatrix half = balance_.tangent() * expand;
-  factors_ = solver_.factorize(SparseMatrix(expand.transpose()) * half);
+  factors_ = solver_.factorize(reduced(balance_.tangent(), expand));
   if (!factors_.regular) return fail(Failure::singular);
   const Eigen::VectorXd by_load =
       solver_.solve(expand.transpose() * balance_.load_rate(load_difference * first_load_));

@@ -1,5 +1,6 @@
 #include "solver/implicit/dynamic_steps.h"
 
+#include "solver/implicit/reduction.h"
 #include "solver/simulation/checkpoint_array.h"
 
 namespace trajan {
@@ -119,9 +120,8 @@ void DynamicSteps::begin_motion(const StepBalance& balance) {
     }
   }
   const SparseMatrix& expand = balance.constraints().expand();
-  const SparseMatrix half = mass_ * expand;
   SparseSolver solver(LinearSolver::direct);
-  solver.factorize(SparseMatrix(expand.transpose()) * half);
+  solver.factorize(reduced(mass_, expand));
   velocity_ = expand * solver.solve(expand.transpose() * momentum);
   const Eigen::VectorXd missing =
       balance.external_before() - balance.internal_before() - model_.damping * (mass_ * velocity_);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/implicit/reduction.h"
+
 namespace trajan {
 namespace {
 
@@ -37,14 +39,13 @@ NewtonIterations::State NewtonIterations::iterate() {
     prescribed_scale_ = prescribed.norm();
     residual -= prescribed;
   }
-  const SparseMatrix half = tangent * expand;
-  factors_ = solver_.factorize(SparseMatrix(expand.transpose()) * half);
+  factors_ = solver_.factorize(reduced(tangent, expand));
   if (!factors_.regular) return fail(Failure::singular);
-  const Eigen::VectorXd reduced = solver_.solve(expand.transpose() * residual, linear_tolerance);
-  if (!reduced.allFinite()) return fail(Failure::singular);
-  Eigen::VectorXd direction = expand * reduced;
+  const Eigen::VectorXd free = solver_.solve(expand.transpose() * residual, linear_tolerance);
+  if (!free.allFinite()) return fail(Failure::singular);
+  Eigen::VectorXd direction = expand * free;
   if (first) direction += balance_.constraints().given();
-  return advance(direction, reduced) ? judge() : fail(Failure::no_answer);
+  return advance(direction, free) ? judge() : fail(Failure::no_answer);
 }
 
 /// By inverse iteration, for which factors of a matrix that is singular but for rounding are good.

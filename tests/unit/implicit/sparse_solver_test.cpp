@@ -39,6 +39,14 @@ TEST(SparseSolver, TellsWhatAMatrixIs) {
     EXPECT_FALSE(factors.positive_definite);
     EXPECT_LT(error(matrix, solver), 1e-12);
   }
+  // Entries that only one triangle has.
+  for (const auto& [row, column] : {std::pair{3, 40}, std::pair{40, 3}}) {
+    SparseMatrix lopsided = definite;
+    lopsided.coeffRef(row, column) = 0.1;
+    lopsided.makeCompressed();
+    EXPECT_FALSE(solver.factorize(lopsided).positive_definite);
+    EXPECT_LT(error(lopsided, solver), 1e-12);
+  }
   SparseMatrix singular = chain(50, 2, -1);
   singular.coeffRef(0, 0) = singular.coeffRef(49, 49) = 1;
   const SparseSolver::Factors factors = solver.factorize(singular);
