@@ -121,6 +121,36 @@ v1::Failure to_proto(const Divergence& divergence) {
   return message;
 }
 
+namespace {
+
+void add_attributes(const ModelPlan& plan, v1::Plan& message) {
+  for (const ModelPlan::Attribute& attribute : plan.attributes) {
+    v1::Attribute& row = *message.add_attributes();
+    row.set_name(attribute.name);
+    row.set_bytes_per_particle(attribute.bytes);
+    row.set_wanted_by(attribute.wanted_by);
+  }
+  for (const ModelPlan::Attribute& attribute : plan.node_attributes) {
+    v1::NodeAttribute& row = *message.add_node_attributes();
+    row.set_name(attribute.name);
+    row.set_bytes_per_node(attribute.bytes);
+    row.set_wanted_by(attribute.wanted_by);
+  }
+}
+
+void add_sweeps(const ModelPlan& plan, v1::Plan& message) {
+  for (const ModelPlan::Sweep& sweep : plan.sweeps) {
+    v1::ParticleSweep& row = *message.add_sweeps();
+    for (const ModelPlan::BodyStages& of_bodies : sweep.of_bodies) {
+      v1::ParticleSweep::BodyStages& stages = *row.add_of_bodies();
+      stages.mutable_bodies()->Assign(of_bodies.bodies.begin(), of_bodies.bodies.end());
+      stages.mutable_stages()->Assign(of_bodies.stages.begin(), of_bodies.stages.end());
+    }
+  }
+}
+
+}  // namespace
+
 v1::Plan to_proto(const ModelPlan& plan) {
   v1::Plan message;
   message.set_particles(plan.particles);
@@ -129,12 +159,13 @@ v1::Plan to_proto(const ModelPlan& plan) {
   message.set_steps(plan.steps);
   message.set_time_step_limit(plan.time_step_limit);
   message.set_memory_bytes(plan.memory_bytes);
-  for (const ModelPlan::Attribute& attribute : plan.attributes) {
-    v1::Attribute& row = *message.add_attributes();
-    row.set_name(attribute.name);
-    row.set_bytes_per_particle(attribute.bytes_per_particle);
-    row.set_wanted_by(attribute.wanted_by);
-  }
+  add_attributes(plan, message);
+  add_sweeps(plan, message);
+  message.set_tiles(plan.tiles);
+  message.set_occupied_tiles(plan.occupied_tiles);
+  message.set_particle_bytes(plan.particle_bytes);
+  message.set_grid_bytes(plan.grid_bytes);
+  message.set_matrix_bytes(plan.matrix_bytes);
   return message;
 }
 

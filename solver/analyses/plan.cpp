@@ -2,11 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/analyses/run.h"
+#include "solver/analyses/rehearsal.h"
 #include "solver/implicit/stencil_kernels.h"
+#include "solver/schemes/kernels.h"
 #include "solver/schemes/time_step.h"
-#include "solver/simulation/particles.h"
-#include "solver/transfers/transfer.h"
 
 namespace trajan {
 
@@ -109,26 +108,10 @@ ModelPlan plan(const Model& model) {
     for (int axis = 0; axis < grid_axes(model.dimension); ++axis) per_cell *= model.grid.cell / spacing[axis];
     const double active_cells = std::ceil(static_cast<double>(body.particles) / per_cell);
     plan.active_cells += static_cast<std::int64_t>(active_cells);
-    if (solves_for_displacements(model)) plan.memory_bytes += memory_of_matrices(model, body, active_cells);
-    std::int64_t bytes = sizeof(std::uint32_t);
-    for (const AttributeNeed& need : attributes_needed(model, b)) {
-      const std::string name(attribute_name(need.attribute));
-      bytes += sizeof(double);
-      bool known = false;
-      for (const ModelPlan::Attribute& a : plan.attributes) known = known || a.name == name;
-      if (!known) plan.attributes.push_back({name, sizeof(double), need.wanted_by});
-    }
-    plan.memory_bytes += bytes * body.particles;
+    if (solves_for_displacements(model)) plan.matrix_bytes += memory_of_matrices(model, body, active_cells);
   }
-  plan.attributes.push_back({"number", sizeof(std::uint32_t), "outputs"});
-  // Nodes and windows of the tiles in which the material is.
-  const int axes = grid_axes(model.dimension);
-  const Layout& layout = kernels().transfer(model.numerics.shape_functions, model.dimension)->layout;
-  const int node_vectors_needed = find_transfer(model.numerics.transfer)->node_vectors;
-  const std::int64_t tiles = plan.active_cells / tile_nodes + 1;
-  plan.memory_bytes += tiles * static_cast<std::int64_t>((quantities(node_vectors_needed, axes) * tile_nodes +
-                                                          quantities(sum_vectors, axes) * layout.window_nodes) *
-                                                         sizeof(double));
+  rehearse(model, plan);
+  plan.memory_bytes = plan.particle_bytes + plan.grid_bytes + plan.matrix_bytes;
   return plan;
 }
 

@@ -52,10 +52,23 @@ struct ModelPlan {
   std::int64_t memory_bytes = 0;  ///< without factors of matrices
   struct Attribute {
     std::string name;
-    int bytes_per_particle = 0;
+    int bytes = 0;  ///< per particle or node
     std::string wanted_by;
   };
   std::vector<Attribute> attributes;
+  std::vector<Attribute> node_attributes;  ///< "sum.": what particles scatter to the nodes around their tile
+  struct BodyStages {
+    std::vector<std::string> bodies, stages;  ///< in the order in which stages are done
+  };
+  /// A sweep over all particles.
+  struct Sweep {
+    std::vector<BodyStages> of_bodies;
+  };
+  std::vector<Sweep> sweeps;        ///< of an explicit step; implicit analyses have none
+  std::int64_t tiles = 0;           ///< that exist at time 0
+  std::int64_t occupied_tiles = 0;  ///< those of them that have particles
+  std::int64_t particle_bytes = 0, grid_bytes = 0;
+  std::int64_t matrix_bytes = 0;  ///< without factors
 };
 ModelPlan plan(const Model& model);
 

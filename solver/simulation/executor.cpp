@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "solver/schemes/schemes.h"
-#include "solver/schemes/share_dilatation.h"
 #include "solver/simulation/diverged.h"
 
 namespace trajan {
@@ -21,46 +20,30 @@ TileIndex period_in_tiles(const Grid& grid, const Layout& layout) {
   return period;
 }
 
-std::vector<Stage> joined(std::initializer_list<std::vector<Stage>> lists) {
-  std::vector<Stage> all;
-  for (const std::vector<Stage>& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
 constexpr double least_mass_share = 1e-18;
 
-/// Of the step's drift by which laws deform.
-void take_half(Block& block) { block.scratch->deform_share = 0.5; }
-void take_whole(Block& block) { block.scratch->deform_share = 1; }
-
 }  // namespace
 
-/// A chain of passes, resolved to stages for every body.
-struct Executor::Chain {
-  std::vector<Pass> passes;
-  unsigned mask = 0;                       ///< node quantities that are gathered
-  int first_sum = 0, sums = 0;             ///< sums that are scattered
-  std::vector<std::vector<Stage>> stages;  ///< by body
-};
-
-Executor::Executor(const Model& model, int threads)
+Executor::Executor(const Model& model, int threads, Filling filling)
     : model_(model),
+      rehearsal_(filling == Filling::nothing),
       axes_(grid_axes(model.dimension)),
       kernels_(kernels()),
       motion_(kernels_.motion[axes_ - 1]),
       transfer_kind_(*find_transfer(model.numerics.transfer)),
       transfer_(choose(transfer_kind_, *kernels_.transfer(model.numerics.shape_functions, model.dimension))),
-      transfer_passes_(transfer_kind_.passes(transfer_, motion_, model.numerics)),
       pool_(threads),
-      bodies_(make_particles(model)),
+      bodies_(make_bodies(model)),
       conditions_(model),
       contacts_(model, threads),
       loads_(model),
-      tiles_(transfer_.layout, quantities(transfer_kind_.node_vectors, axes_),
-             quantities(loads_.none() ? sum_load : sum_vectors, axes_),
+      tiles_(transfer_.layout, node_quantities(), quantities(loads_.none() ? sum_load : sum_vectors, axes_),
              period_in_tiles(model.grid, transfer_.layout)),
+      sweeps_(model, transfer_kind_, transfer_, tiles_.sum_quantities()),
+      shares_(static_cast<std::size_t>(threads) + 1, 0),
       account_(conditions_.count()) {
+  if (!rehearsal_) add_particles(model, bodies_);
   sweep_.cell = model.grid.cell;
   sweep_.inverse_cell = 1 / model.grid.cell;
   const double origin[] = {model.grid.origin.x, model.grid.origin.y, model.grid.origin.z};
@@ -101,7 +84,7 @@ void Executor::sort() {
 
 void Executor::begin() {
   sort();
-  if (transfer_passes_.begin.stages.empty()) return;
+  if (sweeps_.transfer_passes().begin.stages.empty()) return;
   particles({Pass::locate, Pass::begin});
   finish();
 }
@@ -121,7 +104,7 @@ void Executor::particles(std::initializer_list<Pass> passes) {
   for (Pass pass : passes) {
     // Loads that depend on place must know where particles are before the chain that scatters them begins.
     if (pass == Pass::locate && loads_.follow_particles()) finish();
-    if (pass == Pass::move || pass == Pass::displace) {
+    if ((pass == Pass::move || pass == Pass::displace) && !rehearsal_) {
       loads_.advect(tiles_, bodies_, times_.drift);
       conditions_.advect(tiles_, bodies_, times_.drift);
     }
@@ -131,109 +114,10 @@ void Executor::particles(std::initializer_list<Pass> passes) {
 
 void Executor::finish() {
   if (noted_.empty()) return;
-  // Whatever happens, these are done with: the chain has its own copy of them.
-  const std::span<const Pass> passes = chain_of(noted_).passes;
+  // Whatever happens, these are done with: the sweep has its own copy of them.
+  const std::span<const Pass> passes = sweeps_.of(noted_, bodies_).passes;
   noted_.clear();
   run(passes);
-}
-
-std::vector<Stage> Executor::stages_of(Pass pass, const BodyParticles& body) const {
-  const bool hoop = model_.dimension == Dimension::axisymmetric;
-  const auto only_if = [](bool wanted, std::vector<Stage> stages) {
-    return wanted ? stages : std::vector<Stage>{};
-  };
-  const TransferPasses& transfer = transfer_passes_;
-  switch (pass) {
-    case Pass::begin:
-      return transfer.begin.stages;
-    case Pass::locate:
-      return joined({{transfer_.locate}, transfer.locate.stages});
-    case Pass::force:
-      return {body.law->force};
-    case Pass::scatter_state:
-      return joined({transfer.scatter_state.stages, only_if(hoop, {transfer_.scatter_hoop}),
-                     only_if(!loads_.none(), {motion_.find_loads, transfer_.scatter_loads})});
-    case Pass::update_velocity:
-      return transfer.update_velocity.stages;
-    case Pass::kick:
-      return transfer.kick.stages;
-    case Pass::remap:
-      return {transfer_.remap};
-    case Pass::scatter_momentum:
-      return transfer.scatter_momentum.stages;
-    case Pass::scatter_motion:
-      return joined({{transfer_.scatter_mass}, transfer.scatter_momentum.stages});
-    case Pass::gather_velocity:
-      return {transfer_.gather_velocity};
-    case Pass::gather_gradient:
-      return joined({{transfer_.gather_gradient}, only_if(hoop, {transfer_.gather_hoop})});
-    case Pass::gather_motion:
-      return joined({{transfer_.gather_motion}, only_if(hoop, {transfer_.gather_hoop})});
-    case Pass::move:
-      return {motion_.move};
-    case Pass::displace:
-      return {motion_.displace};
-    case Pass::deform:
-      return deform_stages(body);
-    case Pass::deform_by_half:
-      return joined({{take_half}, deform_stages(body), {take_whole}});
-  }
-  return {};
-}
-
-std::vector<Stage> Executor::deform_stages(const BodyParticles& body) const {
-  std::vector<Stage> stages;
-  if (model_.numerics.locking_remedy != "none") {
-    const Body& of = model_.bodies[static_cast<std::size_t>(&body - bodies_.data())];
-    stages.push_back(share_dilatation(model_.materials[of.material].kind->name, model_.dimension));
-  }
-  stages.push_back(body.law->deform);
-  if (body.law->track != nullptr && !body[Attribute::deformation_xx].empty()) stages.push_back(body.law->track);
-  return stages;
-}
-
-/// Bits of the node vectors that a pass gathers.
-unsigned Executor::gathered(Pass pass) const {
-  switch (pass) {
-    case Pass::update_velocity:
-      return transfer_passes_.update_velocity.gathered;
-    case Pass::kick:
-      return transfer_passes_.kick.gathered;
-    case Pass::remap:
-      return 1u << node_remainder;
-    case Pass::gather_velocity:
-      return 1u << node_velocity;
-    case Pass::gather_gradient:
-      return 1u << node_mapped_velocity;
-    case Pass::gather_motion:
-      return 1u << node_velocity | 1u << node_mapped_velocity;
-    default:
-      return 0;
-  }
-}
-
-const Executor::Chain& Executor::chain_of(std::span<const Pass> passes) {
-  for (const auto& known : chains_)
-    if (std::ranges::equal(known->passes, passes)) return *known;
-  auto chain = std::make_unique<Chain>();
-  chain->passes.assign(passes.begin(), passes.end());
-  for (Pass pass : passes) {
-    for (int vector = 0; vector < transfer_kind_.node_vectors; ++vector)
-      if (gathered(pass) >> vector & 1u) chain->mask |= ((1u << axes_) - 1) << quantity(vector, 0, axes_);
-    if (pass == Pass::scatter_state) chain->sums = tiles_.sum_quantities();
-    if (pass == Pass::scatter_motion) chain->sums = quantities(1, axes_);
-    if (pass == Pass::scatter_momentum || pass == Pass::remap) {
-      chain->first_sum = quantity(sum_momentum, 0, axes_);
-      chain->sums = axes_;
-    }
-  }
-  for (const BodyParticles& body : bodies_) {
-    std::vector<Stage>& stages = chain->stages.emplace_back();
-    for (Pass pass : passes)
-      for (Stage stage : stages_of(pass, body)) stages.push_back(stage);
-  }
-  chains_.push_back(std::move(chain));
-  return *chains_.back();
 }
 
 void Executor::run(std::span<const Pass> passes) {
@@ -246,9 +130,10 @@ void Executor::run(std::span<const Pass> passes) {
     run(passes.subspan(before_last));
     return;
   }
-  const Chain& chain = chain_of(passes);
+  Sweep& sweep = sweeps_.of(passes, bodies_);
+  ++sweep.runs;
   for (auto& scratch : scratch_) scratch->trouble = {};
-  for_each_tile([&](std::size_t tile, std::size_t thread) { run_tile(tile, chain, *scratch_[thread]); });
+  for_each_tile([&](std::size_t tile, std::size_t thread) { run_tile(tile, sweep, *scratch_[thread]); });
   Trouble trouble;
   for (const auto& scratch : scratch_) {
     trouble.runs += scratch->trouble.runs;
@@ -268,19 +153,19 @@ void Executor::run(std::span<const Pass> passes) {
   run(passes.subspan(before_last));
 }
 
-void Executor::run_tile(std::size_t index, const Chain& chain, Scratch& scratch) {
+void Executor::run_tile(std::size_t index, const Sweep& sweep, Scratch& scratch) {
   const Tile& tile = tiles_.tiles()[index];
   if (tile.window < 0) return;
-  if (chain.mask) {
-    transfer_.load_window(scratch.window, tiles_.nodes_around(tile), chain.mask);
+  if (sweep.mask) {
+    transfer_.load_window(scratch.window, tiles_.nodes_around(tile), sweep.mask);
   }
   const int window_nodes = transfer_.layout.window_nodes;
-  double* sums = tiles_.sums(index) + chain.first_sum * window_nodes;
-  std::fill(sums, sums + chain.sums * window_nodes, 0.0);
+  double* sums = tiles_.sums(index) + sweep.first_sum * window_nodes;
+  std::fill(sums, sums + sweep.sums * window_nodes, 0.0);
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
     Block block = make_block(tile, tiles_.blocks()[b], scratch);
     block.sums = tiles_.sums(index);
-    for (Stage stage : chain.stages[tiles_.blocks()[b].body]) stage(block);
+    for (Stage stage : sweep.stages[tiles_.blocks()[b].body]) stage(block);
   }
 }
 
@@ -345,6 +230,13 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
 
 void Executor::update_velocities(const StepTimes& times, double light_node) {
   prepare(times);
+  if (!rehearsal_) kick_nodes(light_node);
+  const TransferPasses& transfer = sweeps_.transfer_passes();
+  project(times.drift > 0 ? transfer.projection : transfer.projection_at_sample, light_node * lightest_particle_);
+  if (accounts_ || account_.watched()) account_.add_up();
+}
+
+void Executor::kick_nodes(double light_node) {
   loads_.add_to(tiles_, bodies_);
   const bool complete_at_once = in_one_pass();
   for_each_tile([&](std::size_t tile, std::size_t thread) {
@@ -354,27 +246,23 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
     conditions_.act(tile, account_.of_tile(tile));
     if (complete_at_once) complete(block, tile, light_node);
   });
-  if (!complete_at_once) {
-    contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
-    const Reaction contact = contacts_.act(pool_, tiles_, conditions_.held(), times.kick());
-    account_.add(contact.work, contact.dissipated);
-    conditions_.act_on_surfaces(bodies_, tiles_, account_.of_tile(0));
-    for_each_tile([&](std::size_t tile, std::size_t thread) {
-      NodeBlock block = node_block(tile, thread);
-      complete(block, tile, light_node);
-    });
-    if (light_node > 0) {
-      contacts_.act_on(pool_, tiles_, conditions_.held(), node_mapped_velocity);
-      conditions_.act_on_mapped_surfaces(bodies_, tiles_, false);
-    }
-  }
-  project(times.drift > 0 ? transfer_passes_.projection : transfer_passes_.projection_at_sample,
-          light_node * lightest_particle_);
-  if (accounts_ || account_.watched()) account_.add_up();
+  if (complete_at_once) return;
+  contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
+  const Reaction contact = contacts_.act(pool_, tiles_, conditions_.held(), times_.kick());
+  account_.add(contact.work, contact.dissipated);
+  conditions_.act_on_surfaces(bodies_, tiles_, account_.of_tile(0));
+  for_each_tile([&](std::size_t tile, std::size_t thread) {
+    NodeBlock block = node_block(tile, thread);
+    complete(block, tile, light_node);
+  });
+  if (light_node <= 0) return;
+  contacts_.act_on(pool_, tiles_, conditions_.held(), node_mapped_velocity);
+  conditions_.act_on_mapped_surfaces(bodies_, tiles_, false);
 }
 
 void Executor::map_velocities(bool with_mass) {
   finish();
+  if (rehearsal_) return;
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     block.collect_mass = with_mass;

@@ -16,6 +16,7 @@
 #include "solver/simulation/particle_order.h"
 #include "solver/simulation/particles.h"
 #include "solver/simulation/pass.h"
+#include "solver/simulation/sweeps.h"
 #include "solver/transfers/transfer.h"
 
 namespace trajan {
@@ -26,7 +27,9 @@ namespace trajan {
 /// computed depends on where chains are cut or on the number of threads.
 class Executor {
  public:
-  Executor(const Model& model, int threads);
+  /// With `nothing` in its bodies it only finds out which sweeps its passes make.
+  enum class Filling { particles, nothing };
+  Executor(const Model& model, int threads, Filling filling = Filling::particles);
   ~Executor();
 
   /// \name What schemes are written with. All throw Diverged.
@@ -66,12 +69,17 @@ class Executor {
   const std::vector<BodyParticles>& bodies() const { return bodies_; }
   Tiles& tiles() { return tiles_; }
   const Tiles& tiles() const { return tiles_; }
+  /// That a node holds.
+  int node_quantities() const { return quantities(transfer_kind_.node_vectors, axes_); }
   /// The surface points of loads and boundary conditions.
   std::vector<Riders*> riders();
-  /// Counts sortings, for whoever keeps slots.
+  /// For whoever keeps slots.
   std::int64_t sortings() const { return sortings_; }
   /// What decides when particles are sorted next.
   ParticleOrder& order() { return order_; }
+  const Sweeps& sweeps() const { return sweeps_; }
+  /// Whether nothing is done to nodes after all tiles have their velocities.
+  bool in_one_pass() const { return !conditions_.on_surfaces() && contacts_.places() == 0; }
   Account& account() { return account_; }
   const Account& account() const { return account_; }
   /// Multiplies the inertia of a body, by which waves become slower; its weight stays.
@@ -83,29 +91,21 @@ class Executor {
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
 
  private:
-  struct Chain;
   void run(std::span<const Pass> passes);
-  /// The chain of these passes, resolved when it is first asked for.
-  const Chain& chain_of(std::span<const Pass> passes);
-  void run_tile(std::size_t tile, const Chain& chain, Scratch& scratch);
+  void run_tile(std::size_t tile, const Sweep& sweep, Scratch& scratch);
   Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
-  /// What a pass does to the particles of a body, one stage after the other.
-  std::vector<Stage> stages_of(Pass pass, const BodyParticles& body) const;
-  std::vector<Stage> deform_stages(const BodyParticles& body) const;
-  unsigned gathered(Pass pass) const;
   /// Turns a formula that fails into divergence.
   template <class Of>
   void or_diverge(Of&& of);
   /// Finishes, and evaluates all that depends on time.
   void prepare(const StepTimes& times);
   NodeBlock node_block(std::size_t tile, std::size_t thread);
+  void kick_nodes(double light_node);
   /// What follows once a tile's velocities are final.
   void complete(NodeBlock& block, std::size_t tile, double light_node);
   /// What the transfer iterates on after the nodes' velocities have been updated. Velocities for gradients
   /// of nodes of less mass are left alone.
   void project(const Projection& projection, double light_mass);
-  /// Whether more is done to nodes after all tiles have their velocities.
-  bool in_one_pass() const { return !conditions_.on_surfaces() && contacts_.places() == 0; }
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
   /// Calls of(tile, thread).
@@ -118,22 +118,22 @@ class Executor {
   }
 
   const Model& model_;
+  bool rehearsal_;
   int axes_;  ///< of the grid
   const Kernels& kernels_;
   const MotionKernels& motion_;
   const Transfer& transfer_kind_;
   const TransferKernels& transfer_;
-  const TransferPasses transfer_passes_;
   ThreadPool pool_;
   std::vector<BodyParticles> bodies_;
   Conditions conditions_;
   BodyContacts contacts_;
   Loads loads_;
   Tiles tiles_;
+  Sweeps sweeps_;
   SweepConstants sweep_;
   StepTimes times_;
-  std::vector<Pass> noted_;  ///< passes over particles that are still to be run
-  std::vector<std::unique_ptr<const Chain>> chains_;
+  std::vector<Pass> noted_;                         ///< passes over particles that are still to be run
   std::vector<std::unique_ptr<Scratch>> scratch_;   ///< by thread
   std::vector<NodeSums> collected_;                 ///< by thread or by tile
   std::vector<AlignedDoubles> windows_, stencils_;  ///< by thread

@@ -143,32 +143,6 @@ void begin_history(BodyParticles& made) {
   }
 }
 
-BodyParticles make_body(const Model& model, std::size_t index) {
-  const Body& body = model.bodies[index];
-  BodyParticles made;
-  made.law = &law_of(model, body);
-  const Material& material = model.materials[body.material];
-  made.law_object = made.law->make(material.parameters.data(), material.density);
-  made.constants = constants_of(model, body);
-  if (!model.contacts.field_of.empty()) made.field = model.contacts.field_of[index];
-  made.constants.law = made.law_object.get();
-
-  const auto n = static_cast<std::size_t>(body.particles);
-  for (const AttributeNeed& need : attributes_needed(model, index)) made[need.attribute].assign(n, 0.0);
-  for (Attribute one : {Attribute::deformation_xx, Attribute::deformation_yy, Attribute::deformation_zz})
-    made[one].assign(made[one].size(), 1.0);
-  made.number.resize(n);
-  fill(made, model, body);
-  begin_state(made, body);
-  begin_volume(made, model, body);
-  begin_history(made);
-  return made;
-}
-
-}  // namespace
-
-std::string_view attribute_name(Attribute attribute) { return names[static_cast<int>(attribute)]; }
-
 std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t body) {
   const std::string scheme = "scheme " + model.numerics.scheme;
   const bool total = find_scheme(model.numerics.scheme)->total_lagrangian;
@@ -208,6 +182,39 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   return needs;
 }
 
+BodyParticles make_body(const Model& model, std::size_t index) {
+  const Body& body = model.bodies[index];
+  BodyParticles made;
+  made.law = &law_of(model, body);
+  const Material& material = model.materials[body.material];
+  made.law_object = made.law->make(material.parameters.data(), material.density);
+  made.constants = constants_of(model, body);
+  if (!model.contacts.field_of.empty()) made.field = model.contacts.field_of[index];
+  made.constants.law = made.law_object.get();
+  made.needs = attributes_needed(model, index);
+  return made;
+}
+
+void add_particles(const Model& model, const Body& body, BodyParticles& made) {
+  const auto n = static_cast<std::size_t>(body.particles);
+  for (const AttributeNeed& need : made.needs) made[need.attribute].assign(n, 0.0);
+  for (Attribute one : {Attribute::deformation_xx, Attribute::deformation_yy, Attribute::deformation_zz})
+    made[one].assign(made[one].size(), 1.0);
+  made.number.resize(n);
+  fill(made, model, body);
+  begin_state(made, body);
+  begin_volume(made, model, body);
+  begin_history(made);
+}
+
+}  // namespace
+
+bool BodyParticles::carries(Attribute a) const {
+  return std::ranges::any_of(needs, [a](const AttributeNeed& need) { return need.attribute == a; });
+}
+
+std::string_view attribute_name(Attribute attribute) { return names[static_cast<int>(attribute)]; }
+
 std::vector<Vector> reference_positions(const Model& model, const std::vector<std::int64_t>& numbers) {
   std::vector<Vector> positions;
   for (std::int64_t wanted : numbers) {
@@ -229,11 +236,15 @@ double lightest_particle(const std::vector<BodyParticles>& bodies) {
   return lightest;
 }
 
-std::vector<BodyParticles> make_particles(const Model& model) {
+std::vector<BodyParticles> make_bodies(const Model& model) {
   std::vector<BodyParticles> bodies;
   bodies.reserve(model.bodies.size());
   for (std::size_t i = 0; i < model.bodies.size(); ++i) bodies.push_back(make_body(model, i));
   return bodies;
+}
+
+void add_particles(const Model& model, std::vector<BodyParticles>& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) add_particles(model, model.bodies[i], bodies[i]);
 }
 
 }  // namespace trajan

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
 #include "solver/simulation/particles.h"
@@ -22,69 +23,116 @@ void include(CellRange& range, const CellRange& other) {
   }
 }
 
-/// Which tile every particle of a body is in, and where in the order of a tile. Takes time and memory that depend
-/// on the number of particles alone, however far they are apart.
-struct Places {
+/// Where a position is among the tiles.
+class PlaceFinder {
+ public:
+  struct Found {
+    TileIndex tile{};
+    TileIndex cell{};  ///< of the window
+    int bin = 0;       ///< in the order of a tile
+  };
+
+  PlaceFinder(const Grid& grid, const Tiles& tiles, bool staggered)
+      : tiles_(tiles),
+        // Stencils that change in the middle of cells begin at one more node along each axis.
+        bins_along_(tiles.layout().side + staggered),
+        shift_(staggered ? 0.5 : 0),
+        inverse_cell_(1 / grid.cell),
+        origin_{grid.origin.x, grid.origin.y, grid.origin.z} {}
+
+  int bins() const {
+    int bins = 1;
+    for (int axis = 0; axis < tiles_.layout().dimensions; ++axis) bins *= bins_along_;
+    return bins;
+  }
+
+  Found operator()(const std::array<double, 3>& position) const {
+    const Layout& layout = tiles_.layout();
+    Found found;
+    for (int axis = layout.dimensions - 1; axis >= 0; --axis) {
+      double x = (position[axis] - origin_[axis]) * inverse_cell_;
+      if (const int period = tiles_.period(axis); period > 0) x -= period * std::floor(x / period);
+      const auto i = static_cast<std::int32_t>(std::floor(x));
+      found.tile[axis] = i >> layout.tile_bits;
+      const std::int32_t in_tile = i & (layout.side - 1);
+      found.cell[axis] = in_tile + 1;
+      found.bin = found.bin * bins_along_ + in_tile + (x - i >= 1 - shift_);
+    }
+    found.tile = tiles_.wrapped(found.tile);
+    return found;
+  }
+
+ private:
+  const Tiles& tiles_;
+  int bins_along_;
+  double shift_, inverse_cell_;
+  std::array<double, 3> origin_;
+};
+
+/// The tiles that positions are in, and in each the cells of the window that they are in. Takes time and memory
+/// that depend on the number of positions alone, however far they are apart.
+class FoundTiles {
+ public:
   struct Place {
     TileIndex tile{};
-    CellRange cells;  ///< of the window, in which the tile's particles are
+    CellRange cells;
   };
-  int bins;                         ///< of a tile
-  std::vector<Place> tiles;         ///< in order
-  std::vector<std::uint32_t> tile;  ///< by slot, index into tiles
-  std::vector<std::uint8_t> bin;    ///< by slot
+
+  /// Index of the tile, into places().
+  std::uint32_t add(const PlaceFinder::Found& found) {
+    if (places_.empty() || found.tile != places_[last_].tile) {
+      last_ = known_.emplace(found.tile, static_cast<std::uint32_t>(places_.size())).first->second;
+      if (last_ == places_.size()) places_.push_back({found.tile, {found.cell, found.cell}});
+    }
+    include(places_[last_].cells, {found.cell, found.cell});
+    return last_;
+  }
+  /// Puts tiles in order; returns the new index of each.
+  std::vector<std::uint32_t> order() {
+    const std::vector<Place> found = places_;
+    const auto place_before = [](const Place& a, const Place& b) { return before(a.tile, b.tile); };
+    std::sort(places_.begin(), places_.end(), place_before);
+    std::vector<std::uint32_t> rank(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      rank[i] = static_cast<std::uint32_t>(
+          std::lower_bound(places_.begin(), places_.end(), found[i], place_before) - places_.begin());
+    return rank;
+  }
+  const std::vector<Place>& places() const { return places_; }
+
+ private:
+  std::unordered_map<TileIndex, std::uint32_t, TileHash> known_;
+  std::vector<Place> places_;
+  std::uint32_t last_ = 0;
+};
+
+/// Which tile every particle of a body is in, and where in the order of a tile.
+struct Places {
+  int bins;                              ///< of a tile
+  std::vector<FoundTiles::Place> tiles;  ///< in order
+  std::vector<std::uint32_t> tile;       ///< by slot, index into tiles
+  std::vector<std::uint8_t> bin;         ///< by slot
 
   Places(const Grid& grid, const Tiles& grid_tiles, bool staggered, const BodyParticles& body)
-      : bins(1), tile(body.size()), bin(body.size()) {
-    const Layout& layout = grid_tiles.layout();
-    // Stencils that change in the middle of cells begin at one more node along each axis.
-    const int bins_along = layout.side + staggered;
-    const double shift = staggered ? 0.5 : 0;
-    for (int axis = 0; axis < layout.dimensions; ++axis) bins *= bins_along;
-    const double inverse_cell = 1 / grid.cell;
-    const double origin[] = {grid.origin.x, grid.origin.y, grid.origin.z};
-    std::unordered_map<TileIndex, std::uint32_t, TileHash> known;
-    std::uint32_t index = 0;
-    TileIndex last{};
+      : tile(body.size()), bin(body.size()) {
+    const PlaceFinder find(grid, grid_tiles, staggered);
+    const int axes = grid_tiles.layout().dimensions;
+    bins = find.bins();
+    FoundTiles found_tiles;
+    std::array<double, 3> position{};
     for (std::size_t slot = 0; slot < body.size(); ++slot) {
-      TileIndex at{}, cell{};
-      int bin_in_tile = 0;
-      for (int axis = layout.dimensions - 1; axis >= 0; --axis) {
-        double x = (body.component(Attribute::position_x, axis)[slot] - origin[axis]) * inverse_cell;
-        if (const int period = grid_tiles.period(axis); period > 0) x -= period * std::floor(x / period);
-        const auto i = static_cast<std::int32_t>(std::floor(x));
-        at[axis] = i >> layout.tile_bits;
-        const std::int32_t in_tile = i & (layout.side - 1);
-        cell[axis] = in_tile + 1;
-        bin_in_tile = bin_in_tile * bins_along + in_tile + (x - i >= 1 - shift);
-      }
-      at = grid_tiles.wrapped(at);
-      if (slot == 0 || at != last) {
-        index = known.emplace(at, static_cast<std::uint32_t>(tiles.size())).first->second;
-        if (index == tiles.size()) tiles.push_back({at, {cell, cell}});
-        last = at;
-      }
-      include(tiles[index].cells, {cell, cell});
-      tile[slot] = index;
-      bin[slot] = static_cast<std::uint8_t>(bin_in_tile);
+      for (int axis = 0; axis < axes; ++axis) position[axis] = body.component(Attribute::position_x, axis)[slot];
+      const PlaceFinder::Found found = find(position);
+      tile[slot] = found_tiles.add(found);
+      bin[slot] = static_cast<std::uint8_t>(found.bin);
     }
-    order_tiles();
+    const std::vector<std::uint32_t> rank = found_tiles.order();
+    for (std::uint32_t& t : tile) t = rank[t];
+    tiles = found_tiles.places();
   }
 
   std::size_t bin_of(std::size_t slot) const {
     return std::size_t{tile[slot]} * static_cast<std::size_t>(bins) + bin[slot];
-  }
-
- private:
-  void order_tiles() {
-    const std::vector<Place> found = tiles;
-    const auto place_before = [](const Place& a, const Place& b) { return before(a.tile, b.tile); };
-    std::sort(tiles.begin(), tiles.end(), place_before);
-    std::vector<std::uint32_t> rank(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
-      rank[i] = static_cast<std::uint32_t>(std::lower_bound(tiles.begin(), tiles.end(), found[i], place_before) -
-                                           tiles.begin());
-    for (std::uint32_t& t : tile) t = rank[t];
   }
 };
 
@@ -123,10 +171,32 @@ void reorder(const Grid& grid, const Tiles& tiles, bool staggered, BodyParticles
   permute(body.number, slot_of, spare_numbers);
 }
 
+/// Of one cell, for drifting.
+void add_margins(std::vector<OccupiedTile>& occupied, const Layout& layout) {
+  for (OccupiedTile& tile : occupied)
+    for (int axis = 0; axis < layout.dimensions; ++axis) {
+      --tile.cells.lowest[axis];
+      ++tile.cells.highest[axis];
+    }
+}
+
 }  // namespace
 
+std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles) {
+  const PlaceFinder find(model.grid, tiles, false);
+  std::map<std::uint32_t, FoundTiles> by_field;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    FoundTiles& found = by_field[model.contacts.field_of.empty() ? 0 : model.contacts.field_of[b]];
+    model.bodies[b].lattice.for_each_point([&](std::int64_t, Vector at) { found.add(find({at.x, at.y, at.z})); });
+  }
+  std::vector<OccupiedTile> occupied;
+  for (const auto& [field, found] : by_field)
+    for (const FoundTiles::Place& place : found.places()) occupied.push_back({place.tile, field, place.cells});
+  add_margins(occupied, tiles.layout());
+  return occupied;
+}
+
 void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles) {
-  const Layout& layout = tiles.layout();
   std::vector<TileRun> runs;
   for (std::uint32_t b = 0; b < bodies.size(); ++b) reorder(grid, tiles, staggered, bodies[b], b, runs);
   std::sort(runs.begin(), runs.end(), [](const TileRun& a, const TileRun& b) {
@@ -150,12 +220,7 @@ void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles
       ++blocks_of.back();
     }
   }
-  // The margin of one cell for drifting.
-  for (OccupiedTile& tile : occupied)
-    for (int axis = 0; axis < layout.dimensions; ++axis) {
-      --tile.cells.lowest[axis];
-      ++tile.cells.highest[axis];
-    }
+  add_margins(occupied, tiles.layout());
   tiles.rebuild(occupied, std::move(blocks), blocks_of);
 }
 

@@ -107,6 +107,18 @@ def test_check_shows_ten_mistakes_at_once_with_their_places(trajan, tmp_path):
     assert 'did you mean "DISPLACEMENT"?' in done.stderr
 
 
+def test_the_plan_says_who_asked_for_what_and_what_each_sweep_does(trajan):
+    table = trajan("check", "discs", "--plan").stdout
+    assert [line.split() for line in table.splitlines() if line.startswith("velocity.x")] == [
+        ["velocity.x", "8", "scheme", "MUSL"],
+        ["velocity.x", "8", "scheme", "MUSL"],
+    ], "of particles and of nodes"
+    plan = json.loads(trajan("check", "discs", "--plan", "-o", "json").stdout)
+    stages = [sweep["of_bodies"][0]["stages"] for sweep in plan["sweeps"]]
+    assert len(stages) == 2 and "deform (neo_hookean)" in stages[1]
+    assert "several tables" in trajan("check", "discs", "--plan", "-o", "csv", expect=2).stderr
+
+
 def test_a_bad_scene_is_never_queued(trajan, server):
     trajan("submit", "-", text=TEN_MISTAKES, expect=2)
     assert json.loads(trajan("ls", "-o", "json").stdout).get("jobs", []) == []

@@ -38,10 +38,19 @@ TEST(ConvertAnswers, DivergenceSaysWhereAndWhy) {
 }
 
 TEST(ConvertAnswers, PlanKeepsItsNumbersAndAttributes) {
-  const v1::Plan message = to_proto(ModelPlan{1, 2, 3.5, 4, "wave", 5, {{"mass", 8, "scheme"}}});
-  EXPECT_EQ(message.ShortDebugString(),
+  ModelPlan plan;
+  plan.particles = 1, plan.active_cells = 2, plan.time_step = 3.5, plan.steps = 4;
+  plan.time_step_limit = "wave", plan.memory_bytes = 5;
+  plan.attributes = {{"volume", 8, "law"}};
+  plan.node_attributes = {{"mass", 8, "scheme"}};
+  plan.sweeps = {{{{{"one", "two"}, {"locate", "kick"}}}}};
+  plan.tiles = 6, plan.occupied_tiles = 7, plan.particle_bytes = 8, plan.grid_bytes = 9, plan.matrix_bytes = 10;
+  EXPECT_EQ(to_proto(plan).ShortDebugString(),
             "particles: 1 active_cells: 2 time_step: 3.5 steps: 4 time_step_limit: \"wave\" memory_bytes: 5 "
-            "attributes { name: \"mass\" bytes_per_particle: 8 wanted_by: \"scheme\" }");
+            "attributes { name: \"volume\" bytes_per_particle: 8 wanted_by: \"law\" } "
+            "node_attributes { name: \"mass\" bytes_per_node: 8 wanted_by: \"scheme\" } "
+            "sweeps { of_bodies { bodies: \"one\" bodies: \"two\" stages: \"locate\" stages: \"kick\" } } "
+            "tiles: 6 occupied_tiles: 7 particle_bytes: 8 grid_bytes: 9 matrix_bytes: 10");
 }
 
 }  // namespace

@@ -1,0 +1,120 @@
+#include "solver/analyses/rehearsal.h"
+
+#include <algorithm>
+
+#include "solver/schemes/schemes.h"
+#include "solver/simulation/executor.h"
+
+namespace trajan {
+namespace {
+
+/// Adds who wants it to the attribute's row, which is a new one at first.
+void want(std::vector<ModelPlan::Attribute>& rows, const std::string& name, std::size_t bytes,
+          const std::string& wanted_by) {
+  const auto row = std::ranges::find(rows, name, &ModelPlan::Attribute::name);
+  if (row == rows.end())
+    rows.push_back({name, static_cast<int>(bytes), wanted_by});
+  else if (row->wanted_by.find(wanted_by) == std::string::npos)
+    row->wanted_by += ", " + wanted_by;
+}
+
+void plan_particles(const Model& model, const Executor& executor, ModelPlan& plan) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyParticles& body = executor.bodies()[b];
+    std::int64_t bytes = sizeof(std::uint32_t);
+    for (int a = 0; a < attribute_count; ++a)
+      if (body.carries(static_cast<Attribute>(a))) bytes += sizeof(double);
+    for (const AttributeNeed& need : body.needs)
+      want(plan.attributes, std::string(attribute_name(need.attribute)), sizeof(double), need.wanted_by);
+    plan.particle_bytes += bytes * model.bodies[b].particles;
+  }
+  want(plan.attributes, "number", sizeof(std::uint32_t), "outputs");
+}
+
+TileIndex tiles_of_period(const Tiles& tiles) {
+  TileIndex period{};
+  for (int axis = 0; axis < tiles.layout().dimensions; ++axis)
+    period[static_cast<std::size_t>(axis)] = tiles.period(axis) / tiles.layout().side;
+  return period;
+}
+
+/// Quantities of a node, in the order in which tiles have them, and of the sums that particles scatter.
+void plan_nodes(const Model& model, const Executor& executor, ModelPlan& plan) {
+  constexpr const char* vectors[] = {"acceleration", "velocity", "mapped_velocity", "remainder",
+                                     "projected_velocity"};
+  constexpr const char* sums[] = {"sum.momentum", "sum.internal_force", "sum.load"};
+  constexpr const char* axis_names[] = {".x", ".y", ".z"};
+  const std::string scheme = "scheme " + model.numerics.scheme, transfer = "transfer " + model.numerics.transfer;
+  const int axes = grid_axes(model.dimension);
+  const auto add_vector = [&](const std::string& name, const std::string& wanted_by) {
+    for (int axis = 0; axis < axes; ++axis)
+      want(plan.node_attributes, name + axis_names[axis], sizeof(double), wanted_by);
+  };
+  want(plan.node_attributes, "mass", sizeof(double), scheme);
+  for (int vector = 0; quantities(vector, axes) < executor.node_quantities(); ++vector)
+    add_vector(vectors[vector], vector < node_vectors ? scheme : transfer);
+  want(plan.node_attributes, "sum.mass", sizeof(double), scheme);
+  for (int vector = 0; quantities(vector, axes) < executor.tiles().sum_quantities(); ++vector)
+    add_vector(sums[vector], vector == sum_load ? "loads" : scheme);
+}
+
+void plan_tiles(const Model& model, const Executor& executor, ModelPlan& plan) {
+  const Tiles& tiles = executor.tiles();
+  const std::vector<OccupiedTile> occupied = occupied_tiles(model, tiles);
+  // Tiles whose nodes hold nothing cost no memory here, however large the model is.
+  Tiles bare(tiles.layout(), 0, 0, tiles_of_period(tiles));
+  bare.rebuild(occupied, {}, std::vector<std::uint32_t>(occupied.size(), 0));
+  plan.tiles = static_cast<std::int64_t>(bare.tiles().size());
+  plan.occupied_tiles = static_cast<std::int64_t>(occupied.size());
+  const std::int64_t nodes = executor.node_quantities() * tile_nodes;
+  const std::int64_t window = tiles.sum_quantities() * tiles.layout().window_nodes;
+  const bool fields_meet = std::ranges::adjacent_find(bare.tiles(), {}, &Tile::at) != bare.tiles().end();
+  const std::int64_t collected = executor.in_one_pass() && !fields_meet ? 1 : plan.tiles;
+  const std::int64_t doubles = plan.tiles * nodes + plan.occupied_tiles * window + std::max(nodes, window);
+  plan.grid_bytes = static_cast<std::int64_t>(executor.memory() + bare.memory() + sizeof(double) * doubles +
+                                              sizeof(NodeSums) * collected);
+}
+
+ModelPlan::Sweep described(const Sweep& sweep, const Executor& executor, const Model& model) {
+  ModelPlan::Sweep row;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    std::vector<std::string> stages;
+    for (Stage stage : sweep.stages[b]) stages.push_back(executor.sweeps().name(stage, executor.bodies()[b], b));
+    const auto same = std::ranges::find(row.of_bodies, stages, &ModelPlan::BodyStages::stages);
+    if (same == row.of_bodies.end())
+      row.of_bodies.push_back({{model.bodies[b].name}, stages});
+    else
+      same->bodies.push_back(model.bodies[b].name);
+  }
+  return row;
+}
+
+/// Those of a step that follows another one: the first one of an interval between samples begins differently.
+void plan_sweeps(const Model& model, Executor& executor, ModelPlan& plan) {
+  const Scheme& scheme = *find_scheme(model.numerics.scheme);
+  StepTimes times;
+  times.after = times.drift = plan.time_step;
+  scheme.step(executor, times);
+  std::vector<std::int64_t> before;
+  for (const auto& sweep : executor.sweeps().all()) before.push_back(sweep->runs);
+  scheme.step(executor, times);
+  for (std::size_t i = 0; i < executor.sweeps().all().size(); ++i) {
+    const Sweep& sweep = *executor.sweeps().all()[i];
+    const std::int64_t runs = sweep.runs - (i < before.size() ? before[i] : 0);
+    for (std::int64_t run = 0; run < runs; ++run) plan.sweeps.push_back(described(sweep, executor, model));
+  }
+}
+
+}  // namespace
+
+void rehearse(const Model& model, ModelPlan& plan) {
+  Executor executor(model, 1, Executor::Filling::nothing);
+  plan_particles(model, executor, plan);
+  plan_nodes(model, executor, plan);
+  plan_tiles(model, executor, plan);
+  if (std::holds_alternative<ExplicitDynamics>(model.analysis) ||
+      std::holds_alternative<Relaxation>(model.analysis))
+    plan_sweeps(model, executor, plan);
+}
+
+}  // namespace trajan

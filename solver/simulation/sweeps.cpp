@@ -1,0 +1,182 @@
+#include "solver/simulation/sweeps.h"
+
+#include <algorithm>
+
+#include "solver/schemes/share_dilatation.h"
+
+namespace trajan {
+namespace {
+
+std::vector<Stage> joined(std::initializer_list<std::vector<Stage>> lists) {
+  std::vector<Stage> all;
+  for (const std::vector<Stage>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+/// Of the step's drift by which laws deform.
+void take_half(Block& block) { block.scratch->deform_share = 0.5; }
+void take_whole(Block& block) { block.scratch->deform_share = 1; }
+
+struct NamedStage {
+  Stage stage;
+  const char* name;
+};
+
+const char* name_among(std::initializer_list<NamedStage> known, Stage stage) {
+  for (const NamedStage& one : known)
+    if (one.stage == stage) return one.name;
+  return nullptr;
+}
+
+}  // namespace
+
+Sweeps::Sweeps(const Model& model, const Transfer& kind, const TransferKernels& transfer, int sum_quantities)
+    : model_(model),
+      axes_(grid_axes(model.dimension)),
+      motion_(kernels().motion[axes_ - 1]),
+      kind_(kind),
+      transfer_(transfer),
+      transfer_passes_(kind.passes(transfer, motion_, model.numerics)),
+      sum_quantities_(sum_quantities),
+      loads_(sum_quantities > quantities(sum_load, axes_)) {}
+
+std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::size_t index) const {
+  const bool hoop = model_.dimension == Dimension::axisymmetric;
+  const auto only_if = [](bool wanted, std::vector<Stage> stages) {
+    return wanted ? stages : std::vector<Stage>{};
+  };
+  const TransferPasses& transfer = transfer_passes_;
+  switch (pass) {
+    case Pass::begin:
+      return transfer.begin.stages;
+    case Pass::locate:
+      return joined({{transfer_.locate}, transfer.locate.stages});
+    case Pass::force:
+      return {body.law->force};
+    case Pass::scatter_state:
+      return joined({transfer.scatter_state.stages, only_if(hoop, {transfer_.scatter_hoop}),
+                     only_if(loads_, {motion_.find_loads, transfer_.scatter_loads})});
+    case Pass::update_velocity:
+      return transfer.update_velocity.stages;
+    case Pass::kick:
+      return transfer.kick.stages;
+    case Pass::remap:
+      return {transfer_.remap};
+    case Pass::scatter_momentum:
+      return transfer.scatter_momentum.stages;
+    case Pass::scatter_motion:
+      return joined({{transfer_.scatter_mass}, transfer.scatter_momentum.stages});
+    case Pass::gather_velocity:
+      return {transfer_.gather_velocity};
+    case Pass::gather_gradient:
+      return joined({{transfer_.gather_gradient}, only_if(hoop, {transfer_.gather_hoop})});
+    case Pass::gather_motion:
+      return joined({{transfer_.gather_motion}, only_if(hoop, {transfer_.gather_hoop})});
+    case Pass::move:
+      return {motion_.move};
+    case Pass::displace:
+      return {motion_.displace};
+    case Pass::deform:
+      return deform_stages(body, index);
+    case Pass::deform_by_half:
+      return joined({{take_half}, deform_stages(body, index), {take_whole}});
+  }
+  return {};
+}
+
+Stage Sweeps::sharing(std::size_t body) const {
+  if (model_.numerics.locking_remedy == "none") return nullptr;
+  return share_dilatation(model_.materials[model_.bodies[body].material].kind->name, model_.dimension);
+}
+
+std::vector<Stage> Sweeps::deform_stages(const BodyParticles& body, std::size_t index) const {
+  std::vector<Stage> stages;
+  if (const Stage share = sharing(index)) stages.push_back(share);
+  stages.push_back(body.law->deform);
+  if (body.law->track != nullptr && body.carries(Attribute::deformation_xx)) stages.push_back(body.law->track);
+  return stages;
+}
+
+unsigned Sweeps::gathered(Pass pass) const {
+  switch (pass) {
+    case Pass::update_velocity:
+      return transfer_passes_.update_velocity.gathered;
+    case Pass::kick:
+      return transfer_passes_.kick.gathered;
+    case Pass::remap:
+      return 1u << node_remainder;
+    case Pass::gather_velocity:
+      return 1u << node_velocity;
+    case Pass::gather_gradient:
+      return 1u << node_mapped_velocity;
+    case Pass::gather_motion:
+      return 1u << node_velocity | 1u << node_mapped_velocity;
+    default:
+      return 0;
+  }
+}
+
+Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>& bodies) {
+  for (const auto& known : sweeps_)
+    if (std::ranges::equal(known->passes, passes)) return *known;
+  auto sweep = std::make_unique<Sweep>();
+  sweep->passes.assign(passes.begin(), passes.end());
+  for (Pass pass : passes) {
+    for (int vector = 0; vector < kind_.node_vectors; ++vector)
+      if (gathered(pass) >> vector & 1u) sweep->mask |= ((1u << axes_) - 1) << quantity(vector, 0, axes_);
+    if (pass == Pass::scatter_state) sweep->sums = sum_quantities_;
+    if (pass == Pass::scatter_motion) sweep->sums = quantities(1, axes_);
+    if (pass == Pass::scatter_momentum || pass == Pass::remap) {
+      sweep->first_sum = quantity(sum_momentum, 0, axes_);
+      sweep->sums = axes_;
+    }
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    std::vector<Stage>& stages = sweep->stages.emplace_back();
+    for (Pass pass : passes)
+      for (Stage stage : stages_of(pass, bodies[b], b)) stages.push_back(stage);
+  }
+  sweeps_.push_back(std::move(sweep));
+  return *sweeps_.back();
+}
+
+std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t index) const {
+  const std::string_view law = model_.materials[model_.bodies[index].material].kind->name;
+  const AffineKernels& affine = transfer_.affine;
+  if (const char* of_law = name_among({{body.law->force, "force"},
+                                       {body.law->deform, "deform"},
+                                       {body.law->track, "track deformation"},
+                                       {sharing(index), "share dilatation"}},
+                                      stage))
+    return std::string(of_law) + " (" + std::string(law) + ")";
+  const char* name = name_among({{transfer_.locate, "locate"},
+                                 {transfer_.scatter_state, "scatter mass, momentum, force"},
+                                 {transfer_.scatter_hoop, "scatter hoop force"},
+                                 {transfer_.scatter_loads, "scatter loads"},
+                                 {transfer_.scatter_mass, "scatter mass"},
+                                 {transfer_.scatter_momentum, "scatter momentum"},
+                                 {transfer_.gather_acceleration, "gather acceleration"},
+                                 {transfer_.gather_velocity, "gather velocity"},
+                                 {transfer_.gather_gradient, "gather gradient"},
+                                 {transfer_.gather_motion, "gather velocity, gradient"},
+                                 {transfer_.gather_hoop, "gather hoop strain rate"},
+                                 {transfer_.gather_projected, "gather projected velocity"},
+                                 {transfer_.remap, "remap"},
+                                 {affine.find_levers, "find levers"},
+                                 {affine.begin, "begin affine velocity"},
+                                 {affine.scatter, "scatter affine momentum"},
+                                 {affine.gather, "gather affine velocity"},
+                                 {affine.kick, "kick affine velocity"},
+                                 {motion_.find_loads, "find loads"},
+                                 {motion_.kick, "kick"},
+                                 {motion_.kick_and_blend, "kick and blend"},
+                                 {motion_.move, "move"},
+                                 {motion_.displace, "displace"},
+                                 {motion_.take_velocity, "take velocity"},
+                                 {take_half, "half a step"},
+                                 {take_whole, "whole step"}},
+                                stage);
+  return name ? name : "";
+}
+
+}  // namespace trajan
