@@ -5,6 +5,7 @@
 #include "server/convert.h"
 #include "server/log.h"
 #include "server/run_cost.h"
+#include "solver/analyses/background_recorder.h"
 #include "solver/measures/measure.h"
 #include "solver/results/results.h"
 
@@ -74,6 +75,15 @@ void stop(Command command, results::ResultWriter& writer, v1::CompleteRequest& r
   }
 }
 
+/// The file is written while the solver goes on.
+RunResult run_recorded(const Model& model, const RunOptions& options, Recorder& recorder, LeaseKeeper& keeper) {
+  BackgroundRecorder background(recorder);
+  const RunResult result =
+      run(model, options, background, [&](const RunProgress& progress) { return keeper.update(progress); });
+  background.finish();
+  return result;
+}
+
 void compute(const v1::LeaseResponse& lease, int threads, LeaseKeeper& keeper, v1::CompleteRequest& request) {
   const results::Provenance provenance{lease.scene_text(), TRAJAN_VERSION};
   if (const auto earlier = results::finished_run(lease.directory(), provenance))
@@ -84,8 +94,7 @@ void compute(const v1::LeaseResponse& lease, int threads, LeaseKeeper& keeper, v
   options.threads = model.numerics.threads.value_or(threads);
   options.checkpoint_interval = lease.checkpoint_interval_seconds();
   options.resume = writer->resume_point();
-  const RunResult result =
-      run(model, options, *writer, [&](const RunProgress& progress) { return keeper.update(progress); });
+  const RunResult result = run_recorded(model, options, *writer, keeper);
   if (result.warning)
     keeper.tell("warning: the result is doubtful from time " + std::to_string(result.warning->time) +
                 " on: " + result.warning->cause + "; " + result.warning->remedy);
