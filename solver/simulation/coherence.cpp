@@ -35,6 +35,21 @@ std::size_t root(std::vector<std::size_t>& parent, std::size_t cell) {
   return cell;
 }
 
+/// Cells in order, each with the slot of a particle in it.
+using Occupied = std::vector<std::pair<std::uint64_t, std::size_t>>;
+
+/// Index of the first one that is not before `cell`; there is one. `near`: where the search begins. Neighbours of
+/// cells in order are in order but for periodic faces, so that mostly it ends there or at the next one.
+std::size_t find(const Occupied& cells, std::uint64_t cell, std::size_t near) {
+  const auto is_before = [](const auto& a, std::uint64_t b) { return a.first < b; };
+  const auto begin = cells.begin(), from = begin + static_cast<std::ptrdiff_t>(near);
+  if (from->first > cell) return static_cast<std::size_t>(std::lower_bound(begin, from, cell, is_before) - begin);
+  std::size_t step = 1;
+  while (near + step < cells.size() && cells[near + step].first < cell) step *= 2;
+  const auto to = begin + static_cast<std::ptrdiff_t>(std::min(near + step + 1, cells.size()));
+  return static_cast<std::size_t>(std::lower_bound(from, to, cell, is_before) - begin);
+}
+
 std::string rounded(double value) {
   std::string text = std::to_string(value);
   return text.substr(0, text.find('.') + 3);
@@ -71,20 +86,19 @@ Coherence::Cell Coherence::cell_of(const BodyParticles& body, std::size_t slot) 
 }
 
 Coherence::Groups Coherence::groups(const BodyParticles& body) const {
-  std::vector<std::pair<Cell, std::size_t>> particles;
-  for (std::size_t slot = 0; slot < body.size(); ++slot) particles.emplace_back(cell_of(body, slot), slot);
+  // Particles of a cell mostly follow each other: one of them is enough.
+  Occupied particles;
+  for (std::size_t slot = 0; slot < body.size(); ++slot)
+    if (const Cell cell = cell_of(body, slot); particles.empty() || particles.back().first != cell)
+      particles.emplace_back(cell, slot);
   std::sort(particles.begin(), particles.end());
   const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
   particles.erase(std::unique(particles.begin(), particles.end(), same), particles.end());
   std::vector<std::size_t> parent(particles.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto join = [&](std::size_t cell, Cell other) {
-    const auto found = std::lower_bound(particles.begin(), particles.end(), std::pair(other, std::size_t{0}));
-    if (found == particles.end() || found->first != other) return;
-    parent[root(parent, static_cast<std::size_t>(found - particles.begin()))] = root(parent, cell);
-  };
   // Of two neighbours one sees the other; across a periodic face the one that is first.
   const int side = 2 * reach_ + 1, around = axes_ == 1 ? side : axes_ == 2 ? side * side : side * side * side;
+  std::vector<std::size_t> near(static_cast<std::size_t>(around), 0);
   for (std::size_t c = 0; c < particles.size(); ++c)
     for (int n = 0; n < around; ++n) {
       Cell other = 0;
@@ -96,7 +110,10 @@ Coherence::Groups Coherence::groups(const BodyParticles& body) const {
         if (model_.grid.periodic[static_cast<std::size_t>(axis)]) cell = (cell - first + cells) % cells + first;
         other |= static_cast<Cell>(cell) << bits * axis;
       }
-      if (other < particles[c].first) join(c, other);
+      if (other >= particles[c].first) continue;
+      std::size_t& found = near[static_cast<std::size_t>(n)];
+      found = find(particles, other, found);
+      if (particles[found].first == other) parent[root(parent, found)] = root(parent, c);
     }
   std::vector<std::size_t> size(particles.size());
   for (std::size_t c = 0; c < particles.size(); ++c) ++size[root(parent, c)];

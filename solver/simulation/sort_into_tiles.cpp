@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <unordered_map>
 
@@ -138,7 +139,8 @@ struct Places {
 
 template <class T>
 void permute(std::vector<T>& values, const std::vector<std::uint32_t>& slot_of, std::vector<T>& spare) {
-  if (values.empty()) return;
+  // What is the same everywhere, as stresses are at first, is in any order already.
+  if (values.size() < 2 || std::memcmp(&values[0], &values[1], (values.size() - 1) * sizeof(T)) == 0) return;
   spare.resize(values.size());
   for (std::size_t i = 0; i < slot_of.size(); ++i) spare[i] = values[slot_of[i]];
   values.swap(spare);
