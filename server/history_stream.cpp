@@ -85,21 +85,30 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
       throw;
     } catch (const std::runtime_error&) {
       reader_->close();
+      time_.clear();
+      sent_ = 0;
       if (ended && ++failures_ > 1) throw;
       if (ended) return read(response, now, ended);
       return false;
     }
   }
 
+  /// Reads many messages' worth of rows at once: asking each column's dataset for a few rows takes as long.
   void read_rows(results::HistoryReader& reader, v1::StreamHistoryResponse& response) {
-    constexpr std::int64_t most_bytes = 256 * 1024;
-    const auto row_bytes = static_cast<std::int64_t>((selected_.size() + 1) * sizeof(double));
-    const std::int64_t most_rows = std::max<std::int64_t>(1, most_bytes / row_bytes);
-    reader.read(row_, most_rows, selected_, time_, values_);
+    constexpr std::int64_t message_bytes = 256 * 1024, block_bytes = 8 * 1024 * 1024;
+    const auto width = std::ssize(selected_);
+    const auto row_bytes = (width + 1) * static_cast<std::int64_t>(sizeof(double));
+    if (sent_ == std::ssize(time_)) {
+      reader.read(row_, std::max<std::int64_t>(1, block_bytes / row_bytes), selected_, time_, values_);
+      sent_ = 0;
+    }
+    const std::int64_t rows =
+        std::min(std::max<std::int64_t>(1, message_bytes / row_bytes), std::ssize(time_) - sent_);
     response.set_first_row(row_);
-    response.mutable_time()->Add(time_.begin(), time_.end());
-    response.mutable_values()->Add(values_.begin(), values_.end());
-    row_ += std::ssize(time_);
+    response.mutable_time()->Add(time_.begin() + sent_, time_.begin() + sent_ + rows);
+    response.mutable_values()->Add(values_.begin() + sent_ * width, values_.begin() + (sent_ + rows) * width);
+    row_ += rows;
+    sent_ += rows;
   }
 
   const v1::StreamHistoryRequest request_;
@@ -109,9 +118,10 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
   std::filesystem::path directory_;  ///< of the file
   std::shared_ptr<SharedReader> reader_;
   std::vector<std::size_t> selected_;
-  std::vector<double> time_;
+  std::vector<double> time_;  ///< of the rows that were read last
   std::vector<double> values_;
-  std::int64_t row_;
+  std::int64_t sent_ = 0;  ///< of these
+  std::int64_t row_;       ///< the next one
   int failures_ = 0;
 };
 

@@ -154,15 +154,20 @@ void Histories::cut(hsize_t rows, hsize_t file_bytes) {
   time_.cut<double>(rows, file_bytes);
 }
 
-bool Histories::holds_any(const Table& table, std::span<const std::size_t> selected) const {
-  return std::any_of(selected.begin(), selected.end(), [&](std::size_t column) {
-    return std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end();
-  });
+std::vector<std::ptrdiff_t> Histories::places_among(std::span<const std::size_t> selected) const {
+  std::vector<std::ptrdiff_t> places(columns_.size(), -1);
+  for (std::size_t s = 0; s < selected.size(); ++s) places[selected[s]] = static_cast<std::ptrdiff_t>(s);
+  return places;
+}
+
+bool Histories::holds_any(const Table& table, std::span<const std::ptrdiff_t> places) {
+  return std::ranges::any_of(table.columns, [&](std::size_t column) { return places[column] >= 0; });
 }
 
 void Histories::refresh_values(std::span<const std::size_t> selected) {
+  const std::vector<std::ptrdiff_t> places = places_among(selected);
   for (Table& table : tables_)
-    if (holds_any(table, selected)) table.data.refresh();
+    if (holds_any(table, places)) table.data.refresh();
 }
 
 void Histories::read(hsize_t first, hsize_t count, std::span<const std::size_t> selected,
@@ -170,16 +175,19 @@ void Histories::read(hsize_t first, hsize_t count, std::span<const std::size_t> 
   time.resize(count);
   time_.read<double>(first, time);
   values.resize(count * selected.size());
+  const std::vector<std::ptrdiff_t> places = places_among(selected);
   std::vector<double> block;
   for (const Table& table : tables_) {
-    if (!holds_any(table, selected)) continue;
+    if (!holds_any(table, places)) continue;
     const std::size_t width = table.columns.size();
     block.resize(count * width);
     table.data.read<double>(first, block);
-    for (std::size_t s = 0; s < selected.size(); ++s)
-      for (std::size_t c = 0; c < width; ++c)
-        if (table.columns[c] == selected[s])
-          for (std::size_t row = 0; row < count; ++row) values[row * selected.size() + s] = block[row * width + c];
+    for (std::size_t c = 0; c < width; ++c) {
+      const std::ptrdiff_t place = places[table.columns[c]];
+      if (place < 0) continue;
+      double* value = values.data() + place;
+      for (std::size_t row = 0; row < count; ++row, value += selected.size()) *value = block[row * width + c];
+    }
   }
 }
 

@@ -32,7 +32,7 @@ class Histories {
   void write_times(hsize_t first, std::span<const double> times) { time_.write(first, times); }
   /// Drops all rows from `rows` on. Throws if the first `file_bytes` of the file do not hold the others.
   void cut(hsize_t rows, hsize_t file_bytes);
-  /// `count` rows from `first` on; `values` becomes (count, selected.size()) row-major.
+  /// `count` rows from `first` on of different columns; `values` becomes (count, selected.size()) row-major.
   void read(hsize_t first, hsize_t count, std::span<const std::size_t> selected, std::vector<double>& time,
             std::vector<double>& values) const;
   void refresh_rows() { time_.refresh(); }
@@ -45,7 +45,9 @@ class Histories {
     Dataset data;
     std::vector<std::size_t> columns;
   };
-  bool holds_any(const Table& table, std::span<const std::size_t> selected) const;
+  /// By column: where it is among `selected`, -1: it is not.
+  std::vector<std::ptrdiff_t> places_among(std::span<const std::size_t> selected) const;
+  static bool holds_any(const Table& table, std::span<const std::ptrdiff_t> places);
   void add_table(hid_t file, const std::string& path, std::vector<std::string> components, hsize_t chunk_rows);
 
   std::vector<std::string> columns_;
