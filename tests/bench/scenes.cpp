@@ -50,4 +50,28 @@ Model block(const Choice& choice, double particles) {
   return validate(scene);
 }
 
+Model bar(const Choice& choice, double particles) {
+  Scene scene = scene_of(choice, 1 / std::round(std::sqrt(particles / (4 * 8))));
+  scene.domain.lower = {0, -4}, scene.domain.upper = {16, 5};
+  scene.bodies = {{"bar", "solid", Box{{0, 0}, {8, 1}}, 2, {"1e-3 * x", "0"}}};
+  scene.boundaries = {{"wall", Edge::left, Fixed{}}};
+  if (choice.kind == Kind::explicit_steps) return validate(scene);
+
+  scene.bodies[0].initial_velocity = {};
+  scene.outputs.samples = choice.kind == Kind::modal ? 5 : 1;
+  scene.analysis.end_time = 1;
+  if (choice.kind == Kind::modal) {
+    scene.analysis.kind = Modal{};
+    return validate(scene);
+  }
+  EdgeTraction load;
+  load.body = "bar", load.edge = Edge::right, load.traction = {0, -0.1};
+  scene.loads = {{"end", load, "t"}};
+  if (choice.kind == Kind::implicit_static)
+    scene.analysis.kind = QuasiStatic{.load_steps = 3};
+  else
+    scene.analysis.kind = ImplicitDynamics{.time_steps = 3};
+  return validate(scene);
+}
+
 }  // namespace trajan::bench

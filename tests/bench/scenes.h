@@ -6,6 +6,8 @@
 
 namespace trajan::bench {
 
+enum class Kind { explicit_steps, implicit_static, implicit_dynamic, modal };
+
 /// What a benchmark runs: one word of each kind that a scene chooses.
 struct Choice {
   std::string name;
@@ -16,6 +18,7 @@ struct Choice {
   bool damage = false;
   bool contact = false;
   Dimension dimension = Dimension::plane_strain;
+  Kind kind = Kind::explicit_steps;
 };
 
 /// The colliding discs of Sulsky, Chen and Schreyer (1994), with room to fly apart however many steps are asked
@@ -25,5 +28,9 @@ Model discs(const Choice& choice, double particles);
 /// A square, a cube or (axisymmetric) a cylinder of unit side that stands on its lowest face and vibrates a
 /// little.
 Model block(const Choice& choice, double particles);
+
+/// A beam of length 8 and height 1 that is held at its left end: explicit steps while it vibrates along itself,
+/// otherwise bent by a load at its end.
+Model bar(const Choice& choice, double particles);
 
 }  // namespace trajan::bench
