@@ -8,6 +8,21 @@
 namespace trajan {
 namespace {
 
+/// So many particles are looked at to count the tiles that they lie in, in about a tenth of a second.
+constexpr std::int64_t most_counted = 10'000'000;
+
+/// The model with bodies that have no particles: to make an executor for it takes no time.
+Model emptied(const Model& model) {
+  Model empty = model;
+  for (Body& body : empty.bodies) {
+    body.particles = 0;
+    body.lattice.geometry = Box{};
+    body.lattice.columns = 0;
+    body.lattice.rows = body.lattice.planes = 1;
+  }
+  return empty;
+}
+
 /// Adds who wants it to the attribute's row, which is a new one at first.
 void want(std::vector<ModelPlan::Attribute>& rows, const std::string& name, std::size_t bytes,
           const std::string& wanted_by) {
@@ -58,20 +73,34 @@ void plan_nodes(const Model& model, const Executor& executor, ModelPlan& plan) {
     add_vector(sums[vector], vector == sum_load ? "loads" : scheme);
 }
 
-void plan_tiles(const Model& model, const Executor& executor, ModelPlan& plan) {
-  const Tiles& tiles = executor.tiles();
+struct PlannedTiles {
+  std::size_t bytes;  ///< without what nodes hold
+  bool fields_meet;   ///< of bodies in contact
+};
+
+/// Tiles at time 0; of too many particles about as many as their cells fill.
+PlannedTiles plan_tiles(const Model& model, const Tiles& tiles, ModelPlan& plan) {
+  if (plan.particles > most_counted) {
+    plan.occupied_tiles = plan.tiles = plan.active_cells / tile_nodes + 1;
+    return {static_cast<std::size_t>(plan.tiles) * sizeof(Tile), model.contacts.fields > 1};
+  }
   const std::vector<OccupiedTile> occupied = occupied_tiles(model, tiles);
   // Tiles whose nodes hold nothing cost no memory here, however large the model is.
   Tiles bare(tiles.layout(), 0, 0, tiles_of_period(tiles));
   bare.rebuild(occupied, {}, std::vector<std::uint32_t>(occupied.size(), 0));
   plan.tiles = static_cast<std::int64_t>(bare.tiles().size());
   plan.occupied_tiles = static_cast<std::int64_t>(occupied.size());
+  return {bare.memory(), std::ranges::adjacent_find(bare.tiles(), {}, &Tile::at) != bare.tiles().end()};
+}
+
+void plan_grid(const Model& model, const Executor& executor, ModelPlan& plan) {
+  const Tiles& tiles = executor.tiles();
+  const PlannedTiles planned = plan_tiles(model, tiles, plan);
   const std::int64_t nodes = executor.node_quantities() * tile_nodes;
   const std::int64_t window = tiles.sum_quantities() * tiles.layout().window_nodes;
-  const bool fields_meet = std::ranges::adjacent_find(bare.tiles(), {}, &Tile::at) != bare.tiles().end();
-  const std::int64_t collected = executor.in_one_pass() && !fields_meet ? 1 : plan.tiles;
+  const std::int64_t collected = executor.in_one_pass() && !planned.fields_meet ? 1 : plan.tiles;
   const std::int64_t doubles = plan.tiles * nodes + plan.occupied_tiles * window + std::max(nodes, window);
-  plan.grid_bytes = static_cast<std::int64_t>(executor.memory() + bare.memory() + sizeof(double) * doubles +
+  plan.grid_bytes = static_cast<std::int64_t>(executor.memory() + planned.bytes + sizeof(double) * doubles +
                                               sizeof(NodeSums) * collected);
 }
 
@@ -108,10 +137,11 @@ void plan_sweeps(const Model& model, Executor& executor, ModelPlan& plan) {
 }  // namespace
 
 void rehearse(const Model& model, ModelPlan& plan) {
-  Executor executor(model, 1, Executor::Filling::nothing);
+  const Model empty = emptied(model);
+  Executor executor(empty, 1, Executor::Filling::nothing);
   plan_particles(model, executor, plan);
   plan_nodes(model, executor, plan);
-  plan_tiles(model, executor, plan);
+  plan_grid(model, executor, plan);
   if (std::holds_alternative<ExplicitDynamics>(model.analysis) ||
       std::holds_alternative<Relaxation>(model.analysis))
     plan_sweeps(model, executor, plan);

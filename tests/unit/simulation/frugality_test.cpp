@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "solver/simulation/simulation.h"
 #include "tests/unit/simulation/scenes.h"
 
@@ -60,20 +63,38 @@ TEST(Memory, OfNodesHasTheVectorsThatTheTransferIterates) {
   EXPECT_EQ(nodes("XPIC"), tile_nodes * (1 + 2 * 5));
 }
 
-TEST(Memory, DoesNotDependOnTheSizeOfTheDomain) {
-  Scene scene = test::discs(0.04);
+/// What a step works on: tiles, of those the ones with particles, and blocks.
+std::array<std::size_t, 3> work(const Simulation& simulation) {
+  const Tiles& tiles = simulation.executor().tiles();
+  const auto occupied = std::ranges::count_if(tiles.tiles(), [](const Tile& tile) { return tile.window >= 0; });
+  return {tiles.tiles().size(), static_cast<std::size_t>(occupied), tiles.blocks().size()};
+}
+
+TEST(Memory, AndWorkAreTheSameInADomainAMillionTimesLargerThanTheBodies) {
+  // Cells of a power of two, and corners of both domains at corners of tiles: the discs are cut into tiles alike.
+  Scene scene = test::discs(1.0 / 32);
   const Model small = validate(scene);
-  scene.domain.lower = {-4000, -4000};
-  scene.domain.upper = {4000, 4000};
+  scene.domain.lower = {-262144, -262144};
+  scene.domain.upper = {262144, 262144};
   const Model large = validate(scene);
-  // Cells are numbered from another corner, which cuts the discs into tiles differently.
-  EXPECT_LT(Simulation(large, 1).executor().memory(), Simulation(small, 1).executor().memory() * 3 / 2);
+  const Simulation in_small(small, 1), in_large(large, 1);
+  EXPECT_EQ(in_large.executor().memory(), in_small.executor().memory());
+  EXPECT_EQ(work(in_large), work(in_small));
 }
 
 TEST(Memory, IsUnder200BytesAParticleForAHundredThousand) {
   const Model model = validate(test::discs(1.0 / 320));
   const Simulation simulation(model, 1);
   EXPECT_LE(simulation.executor().memory(), 200u * static_cast<std::size_t>(model.particle_count()));
+}
+
+/// Would not fit into any memory, and take minutes to look at.
+TEST(Plan, OfAlmostABillionParticlesLooksAtNoneOfThem) {
+  const ModelPlan planned = plan(validate(test::bar("MUSL", "linear_elastic", 1.0 / 4096, 0.1)));
+  EXPECT_EQ(planned.particles, std::int64_t{40960} * 4096 * 4);
+  EXPECT_EQ(planned.particle_bytes, planned.particles * (8 * 8 + 4));
+  EXPECT_GE(planned.tiles, planned.active_cells / tile_nodes);
+  EXPECT_EQ(planned.sweeps.size(), 2u);
 }
 
 TEST(Plan, CountsParticlesCellsAndSteps) {
