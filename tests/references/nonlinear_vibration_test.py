@@ -1,11 +1,14 @@
 """The laws of the vibrating beams are those of plane_elements.py, which differentiates and iterates them elsewhere."""
 
+import json
+import pathlib
 import unittest
 
 import numpy as np
 
 import nonlinear_vibration
 from plane_elements import hencky, lame, plane_stress_lambda, saint_venant_kirchhoff
+from scene_text import constants
 
 
 class Laws(unittest.TestCase):
@@ -34,6 +37,18 @@ class Laws(unittest.TestCase):
 
     def test_logarithmic_bears_the_undeformed_body(self):
         np.testing.assert_array_equal(nonlinear_vibration.logarithmic(*map(np.array, (1.0, 0.0, 0.0, 1.0))), 0)
+
+
+class Scene(unittest.TestCase):
+    def test_the_scene_states_what_is_stored_of_the_hinged_beam(self):
+        stored = json.loads(pathlib.Path(__file__).with_name("nonlinear_vibration.json").read_text(encoding="utf-8"))
+        beam = stored["simply_supported 8"]
+        row = next(row for row in beam["rows"] if row["amplitude"] == 1)
+        self.assertLess(row["ratio_error"], 1e-4)
+        stated = constants("nonlinear_beam")
+        self.assertEqual(stated["v"], row["velocity"])
+        self.assertEqual(stated["linear_frequency"], beam["linear_frequency"])
+        self.assertEqual(stated["squared_ratio"], row["ratio"])
 
 
 if __name__ == "__main__":
