@@ -73,6 +73,16 @@ std::string cost_of(const v1::Cost& cost) {
   return text;
 }
 
+/// "cells of 0.1, 2 particles a side, TLMPM linear FLIP, quasi_static"
+std::string settings_text(const v1::Settings& settings) {
+  const v1::Numerics& numerics = settings.numerics();
+  const auto* kinds = v1::Analysis::descriptor()->FindOneofByName("kind");
+  const auto* kind = settings.analysis().GetReflection()->GetOneofFieldDescriptor(settings.analysis(), kinds);
+  return fmt::format("cells of {:.6g}, {} particles a side, {} {} {}, {}", settings.cell_size(),
+                     settings.particles_per_cell_side(), numerics.scheme(), numerics.shape_functions(),
+                     numerics.transfer(), kind == nullptr ? "explicit_dynamics" : kind->name());
+}
+
 Cell verdict_of(const v1::MeasureValue& measure) {
   if (!measure.has_error() || !measure.has_tolerance()) return {};
   return std::string(std::abs(measure.error()) <= measure.tolerance() ? "ok" : "off");
@@ -119,6 +129,7 @@ std::string describe_job(const v1::Job& job) {
   add("run of", job.parent_id());
   add("state", state_name(job.state()) + (job.attempts() > 1 ? fmt::format(" (attempt {})", job.attempts()) : ""));
   add("answer of", job.answered_by().empty() ? "" : "job " + job.answered_by());
+  add("settings", job.has_settings() ? settings_text(job.settings()) : "");
   add("progress", job.has_progress() && !job.has_study() ? place_of(job) : "");
   add("cost", job.has_cost() ? cost_of(job.cost()) : "");
   add("labels", cell_text(labels_of(job)));

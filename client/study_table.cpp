@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -147,6 +148,26 @@ Table cheapest_table(const v1::Study& study) {
   return table;
 }
 
+void print_answer(std::ostream& out, const v1::Study& study) {
+  if (!study.has_answer()) return;
+  const v1::Answer& answer = study.answer();
+  const v1::Run& run = study.runs(answer.run());
+  const v1::Target& target = study.target();
+  std::string value = fmt::format("{:.6g}", answer.value());
+  if (answer.has_band())
+    value += fmt::format(" +- {:.2g} ({:.2g} %)", answer.band(), 100 * answer.band() / std::abs(answer.value()));
+  const std::string tolerance = target.has_relative() ? fmt::format("{:g} %", 100 * target.relative())
+                                                      : fmt::format("{:g}", target.absolute());
+  const auto add = [&out](std::string_view name, const std::string& text) {
+    out << fmt::format("{:<10} {}\n", name, text);
+  };
+  add("answer", fmt::format("{} = {}", target.measure(), value));
+  add("tolerance", tolerance + (answer.reached() ? "" : ", NOT REACHED: " + answer.end()));
+  add("by", fmt::format("{}, domain.cell_size={} (job {})", run.settings(0), run.settings(1), run.job_id()));
+  add("cost", fmt::format("{:.3g} core-seconds, {:.3g} with the runs that led to it", run.cost().core_seconds(),
+                          answer.core_seconds()));
+}
+
 void print_study_table(std::ostream& out, const v1::Study& study, OutputFormat output) {
   if (output == OutputFormat::json) {
     out << json_text(study, false);
@@ -159,6 +180,10 @@ void print_study_table(std::ostream& out, const v1::Study& study, OutputFormat o
     print_table(out, convergence_table(study), output);
   }
   if (study.has_trade()) print_trade(out, study);
+  if (study.has_answer()) {
+    out << '\n';
+    print_answer(out, study);
+  }
 }
 
 }  // namespace trajan::client

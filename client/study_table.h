@@ -16,6 +16,9 @@ Table convergence_table(const v1::Study& study);
 /// One row for each tolerance: the cheapest run of a tradeoff.
 Table cheapest_table(const v1::Study& study);
 
+/// Of a target: value and band, the settings that gave it, what it took. Nothing if no run has succeeded.
+void print_answer(std::ostream& out, const v1::Study& study);
+
 /// All that a study has found. As JSON it is the message itself; other formats have the table of runs, and people
 /// read what follows from it below.
 void print_study_table(std::ostream& out, const v1::Study& study, OutputFormat output);

@@ -31,6 +31,8 @@ google::protobuf::Map<std::string, std::string> parse_labels(const std::vector<s
 v1::Job submit_scene(Connection& connection, const LoadedScene& scene, const SubmitOptions& options) {
   v1::SubmitJobRequest request;
   *request.mutable_labels() = parse_labels(options.labels);
+  const v1::Fidelity fidelity = parse_fidelity(options.fidelity);
+  if (fidelity.kind_case() != v1::Fidelity::KIND_NOT_SET) *request.mutable_fidelity() = fidelity;
   check_scene(connection, scene);
   request.set_request_id(options.request_id.empty() ? random_id() : options.request_id);
   *request.mutable_scene() = scene.text.scene();

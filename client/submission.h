@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "client/connection.h"
+#include "client/fidelity.h"
 #include "client/load_scene.h"
 
 namespace trajan::client {
@@ -12,6 +13,7 @@ struct SubmitOptions {
   std::vector<std::string> labels;  ///< "key=value"
   int priority = 0;
   std::string request_id;  ///< empty: a random one
+  FidelityOptions fidelity;
 };
 
 /// Checks and queues a scene. A submit whose answer was lost is repeated under the same request id, so that

@@ -2,13 +2,19 @@
 
 #include "server/check_scene.h"
 #include "server/convert.h"
+#include "server/errors.h"
+#include "server/fidelity.h"
 #include "server/history_stream.h"
 #include "server/log.h"
 #include "server/refused_stream.h"
 #include "server/result_stream.h"
+#include "server/run_cost.h"
+#include "server/scene_digest.h"
 #include "server/status.h"
+#include "server/store_findings.h"
 #include "server/store_jobs.h"
 #include "server/store_studies.h"
+#include "server/study_target.h"
 #include "server/watch_stream.h"
 
 namespace trajan {
@@ -41,8 +47,13 @@ void check_scene(const v1::Scene& scene, v1::CheckSceneResponse& response) {
 
 }  // namespace
 
-JobsService::JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, std::filesystem::path jobs_directory)
-    : store_(store), hub_(hub), scheduler_(scheduler), jobs_directory_(std::move(jobs_directory)) {}
+JobsService::JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, Targets& targets,
+                         std::filesystem::path jobs_directory)
+    : store_(store),
+      hub_(hub),
+      scheduler_(scheduler),
+      targets_(targets),
+      jobs_directory_(std::move(jobs_directory)) {}
 
 grpc::ServerUnaryReactor* JobsService::CheckScene(grpc::CallbackServerContext* context,
                                                   const v1::CheckSceneRequest* request,
@@ -52,25 +63,40 @@ grpc::ServerUnaryReactor* JobsService::CheckScene(grpc::CallbackServerContext* c
   return reactor;
 }
 
+std::shared_ptr<store::StudyPlan> JobsService::prepare(v1::SubmitJobRequest& request) {
+  if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
+  if (!request.fidelity().has_target()) {
+    resolve_fidelity(request);
+    require_valid(request.scene());
+    return nullptr;
+  }
+  const auto known = store_.read([&](store::Database& database) {
+    return store::findings(database, family_digest(request.scene()), machine_name());
+  });
+  return std::make_shared<store::StudyPlan>(plan_target(request, known));
+}
+
+void JobsService::submitted(const v1::Job& job) {
+  logging::info("job submitted", {{"job", job.job_id()}, {"scene", job.scene_name()}});
+  if (job.has_study()) targets_.look_at(store::job_number(job.job_id()));
+  scheduler_.assign();
+}
+
 grpc::ServerUnaryReactor* JobsService::SubmitJob(grpc::CallbackServerContext* context,
-                                                 const v1::SubmitJobRequest* request, v1::Job* response) {
+                                                 const v1::SubmitJobRequest* asked, v1::Job* response) {
   auto* reactor = context->DefaultReactor();
-  const auto commit = [=, this] {
-    store_.commit(
-        [=](store::Database& database) { *response = store::submit(database, *request); },
-        [=, this](std::exception_ptr error) {
-          if (!error) {
-            logging::info("job submitted", {{"job", response->job_id()}, {"scene", response->scene_name()}});
-            scheduler_.assign();
-          }
-          reactor->Finish(to_status(*context, error));
-        });
-  };
-  checks_.post([=, this] {
+  checks_.post([=, this, request = std::make_shared<v1::SubmitJobRequest>(*asked)] {
     try {
-      if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
-      require_valid(request->scene());
-      commit();
+      const auto target = prepare(*request);
+      store_.commit(
+          [=](store::Database& database) {
+            *response =
+                target ? store::submit_target(database, *request, *target) : store::submit(database, *request);
+          },
+          [=, this](std::exception_ptr error) {
+            if (!error) submitted(*response);
+            reactor->Finish(to_status(*context, error));
+          });
     } catch (...) {
       reactor->Finish(to_status(*context, std::current_exception()));
     }
@@ -122,6 +148,7 @@ grpc::ServerUnaryReactor* JobsService::CancelJob(grpc::CallbackServerContext* co
             scheduler_.cancel(job);
             hub_.publish(job);
           }
+          if (!response->parent_id().empty()) targets_.look_at(store::job_number(response->parent_id()));
         }
         reactor->Finish(to_status(*context, error));
       });

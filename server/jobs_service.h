@@ -2,11 +2,14 @@
 
 #include <atomic>
 #include <filesystem>
+#include <memory>
 
 #include "server/history_stream.h"
 #include "server/hub.h"
 #include "server/schedule.h"
 #include "server/store.h"
+#include "server/store_studies.h"
+#include "server/targets.h"
 #include "server/task_queue.h"
 #include "trajan/v1/jobs.grpc.pb.h"
 
@@ -16,7 +19,8 @@ namespace trajan {
 /// no thread of gRPC waits for anything.
 class JobsService final : public v1::Jobs::CallbackService {
  public:
-  JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, std::filesystem::path jobs_directory);
+  JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, Targets& targets,
+              std::filesystem::path jobs_directory);
 
   /// Refuses new jobs from now on.
   void drain() { draining_ = true; }
@@ -41,9 +45,14 @@ class JobsService final : public v1::Jobs::CallbackService {
                                                                const v1::ReadResultRequest* request) override;
 
  private:
+  /// The plan of a target, or null; the request's scene gets the settings of its fidelity.
+  std::shared_ptr<store::StudyPlan> prepare(v1::SubmitJobRequest& request);
+  void submitted(const v1::Job& job);
+
   store::Store& store_;
   Hub& hub_;
   Scheduler& scheduler_;
+  Targets& targets_;
   const std::filesystem::path jobs_directory_;
   std::atomic<bool> draining_ = false;
   TaskQueue checks_{2};   ///< validation of scenes, removal of files

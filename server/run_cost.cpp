@@ -39,6 +39,8 @@ std::int64_t peak_memory_bytes() {
 
 }  // namespace
 
+std::string machine_name() { return value_in("/proc/cpuinfo", "model name"); }
+
 RunCost::RunCost(int threads)
     : threads_(threads), processor_seconds_(processor_seconds()), start_(std::chrono::steady_clock::now()) {
   reset_peak_memory();
@@ -50,7 +52,7 @@ v1::Cost RunCost::so_far() const {
   cost.set_wall_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
   cost.set_threads(threads_);
   cost.set_peak_memory_bytes(peak_memory_bytes());
-  cost.set_machine(value_in("/proc/cpuinfo", "model name"));
+  cost.set_machine(machine_name());
   return cost;
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "trajan/v1/jobs.pb.h"
 
 namespace trajan {
+
+/// The model of the processor, as the operating system names it.
+std::string machine_name();
 
 /// What this process has spent since this object was made. One object at a time.
 class RunCost {

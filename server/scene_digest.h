@@ -19,7 +19,7 @@ std::string scene_digest(const v1::Scene& scene);
 /// Of what scenes have in common that differ only in their settings, name and comments.
 std::string family_digest(v1::Scene scene);
 
-/// The settings of a scene.
+/// The settings of a scene, its defaults told.
 v1::Settings settings_of(const v1::Scene& scene);
 
 }  // namespace trajan

@@ -18,8 +18,13 @@ Scheduler::Clock::duration seconds(double count) {
 
 }  // namespace
 
-Scheduler::Scheduler(ScheduleOptions options, store::Store& store, Hub& hub, WorkerPool& pool)
-    : options_(std::move(options)), store_(store), hub_(hub), pool_(pool) {}
+Scheduler::Scheduler(ScheduleOptions options, store::Store& store, Hub& hub, WorkerPool& pool,
+                     std::function<void(std::int64_t)> study_changed)
+    : options_(std::move(options)),
+      store_(store),
+      hub_(hub),
+      pool_(pool),
+      study_changed_(std::move(study_changed)) {}
 
 void Scheduler::recover() {
   for (const store::Lease& lease : store_.read(store::leases)) {
@@ -116,7 +121,9 @@ void Scheduler::finish_assignment(Waiting waiting, std::optional<store::Lease> l
 
 void Scheduler::publish(const store::Lease& lease) {
   hub_.publish(lease.job);
-  if (lease.study != 0) hub_.publish(lease.study);
+  if (lease.study == 0) return;
+  hub_.publish(lease.study);
+  study_changed_(lease.study);
 }
 
 /// A worker that gets an error asks again, and gets the same lease.

@@ -37,7 +37,9 @@ class Scheduler {
   using ReportReply = std::function<void(const v1::ReportResponse&, std::exception_ptr)>;
   using CompleteReply = std::function<void(std::exception_ptr)>;
 
-  Scheduler(ScheduleOptions options, store::Store& store, Hub& hub, WorkerPool& pool);
+  /// `study_changed` is called with the number of the study whose run changed, and returns at once.
+  Scheduler(ScheduleOptions options, store::Store& store, Hub& hub, WorkerPool& pool,
+            std::function<void(std::int64_t)> study_changed);
 
   /// Takes over the leases of an earlier server: their clocks start again, and jobs whose local worker
   /// died meanwhile are lost at once. Call first.
@@ -87,6 +89,7 @@ class Scheduler {
   store::Store& store_;
   Hub& hub_;
   WorkerPool& pool_;
+  const std::function<void(std::int64_t)> study_changed_;
   mutable std::mutex mutex_;
   std::deque<Waiting> waiting_;
   std::map<std::string, Active> active_;  ///< by lease id

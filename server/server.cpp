@@ -51,12 +51,15 @@ Server::Server(ServeOptions options)
       store_(state_.database()),
       pool_(options_.workers,
             [this](const std::string& worker, const std::string& how) { scheduler_.worker_lost(worker, how); }),
-      scheduler_(with_jobs_directory(options_.schedule, state_), store_, hub_, pool_),
-      jobs_(store_, hub_, scheduler_, std::filesystem::absolute(state_.jobs())),
+      scheduler_(with_jobs_directory(options_.schedule, state_), store_, hub_, pool_,
+                 [this](std::int64_t study) { targets_.look_at(study); }),
+      targets_(store_, hub_, [this] { scheduler_.assign(); }),
+      jobs_(store_, hub_, scheduler_, targets_, std::filesystem::absolute(state_.jobs())),
       studies_(store_, scheduler_),
       workers_(scheduler_) {
   remove_orphaned_directories();
   scheduler_.recover();
+  targets_.recover();
   listen();
   start_workers();
   clock_ = std::jthread([this](const std::stop_token& stop) { keep_time(stop); });

@@ -14,6 +14,7 @@
 #include "server/state_directory.h"
 #include "server/store.h"
 #include "server/studies_service.h"
+#include "server/targets.h"
 #include "server/workers_service.h"
 
 namespace trajan {
@@ -55,6 +56,7 @@ class Server {
   Hub hub_;
   WorkerPool pool_;
   Scheduler scheduler_;
+  Targets targets_;
   JobsService jobs_;
   StudiesService studies_;
   WorkersService workers_;

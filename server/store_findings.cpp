@@ -56,7 +56,9 @@ void keep_findings(Database& database, const v1::Job& job) {
   if (job.measures().empty()) return;
   const v1::Scene scene = get_scene(database, job_number(job.job_id()));
   v1::Finding finding;
-  finding.set_family(family_digest(scene));
+  // Other analyses of the same question are of its family.
+  finding.set_family(
+      family_digest(job.parent_id().empty() ? scene : get_scene(database, job_number(job.parent_id()))));
   *finding.mutable_settings() = settings_of(scene);
   *finding.mutable_cost() = job.cost();
   finding.set_solver_version(TRAJAN_VERSION);

@@ -72,6 +72,7 @@ v1::Job submit(Database& database, const v1::SubmitJobRequest& request) {
   if (auto before = submitted_before(database, row)) return *before;
   require_room(database, 1);
   v1::Job job = insert_job(database, row);
+  *job.mutable_settings() = settings_of(request.scene());
   database.prepare("UPDATE jobs SET scene = ? WHERE job_id = ?")
       .bind(1, scene_digest(request.scene()))
       .bind(2, job_number(job.job_id()))
@@ -179,6 +180,7 @@ v1::Job cancel(Database& database, std::int64_t number, const std::string& reaso
   enter(database, job, ends_at_once ? v1::CANCELLED : v1::CANCELLING);
   update(database, job);
   for (const std::int64_t run : runs_of(database, number)) cancel(database, run, "");
+  if (job.has_study()) follow_runs(database, number);
   return get_job(database, number);
 }
 

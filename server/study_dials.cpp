@@ -40,27 +40,6 @@ bool is_cell_size(const v1::Scene& scene, const v1::Constant& constant) {
   return constant.name() == "cell" && is_equal;
 }
 
-/// Another cell size, with all that the scene has in proportion to it.
-v1::Setting with_cell_size(const v1::Scene& scene, double cell_size) {
-  const double before = scene.domain().cell_size();
-  const double ratio = cell_size / before;
-  std::vector<std::string> changes{"domain.cell_size=" + exact_text(cell_size)};
-  for (int i = 0; i < scene.constants_size(); ++i) {
-    if (is_cell_size(scene, scene.constants(i)))
-      changes.push_back("constants[" + std::to_string(i) + "].value=" + exact_text(cell_size));
-  }
-  if (scene.numerics().has_time_step())
-    changes.push_back("numerics.time_step=" + exact_text(scene.numerics().time_step() * ratio));
-  if (scene.analysis().has_implicit_dynamics()) {
-    constexpr int default_steps = 100;
-    const v1::ImplicitDynamics& motion = scene.analysis().implicit_dynamics();
-    const int steps = motion.has_time_steps() ? motion.time_steps() : default_steps;
-    const auto scaled = static_cast<std::int64_t>(std::ceil(steps / ratio - 1e-9));
-    changes.push_back("analysis.implicit_dynamics.time_steps=" + std::to_string(scaled));
-  }
-  return setting(exact_text(cell_size), changes);
-}
-
 /// A way to the answer, apart from scheme and shape functions.
 struct Way {
   std::string name;
@@ -107,6 +86,15 @@ std::vector<Way> ways_of(const v1::Scene& scene) {
   return {{"explicit", {}}, {"implicit", {"analysis.implicit_dynamics={time_steps: " + steps + "}"}, false}};
 }
 
+/// The way that tradeoffs of the gallery found to be the cheapest: statics by implicit load steps, modes by lumped
+/// masses, motions as they are asked for.
+const Way& best_of(const std::vector<Way>& ways) {
+  const bool is_motion = std::ranges::find(ways, "explicit", &Way::name) != ways.end();
+  const auto found = std::ranges::find_if(
+      ways, [](const Way& way) { return way.name == "implicit" || way.name == "lumped mass"; });
+  return is_motion || found == ways.end() ? ways[0] : *found;
+}
+
 /// Choices of scheme, shape functions and transfer that are worth a try.
 const std::vector<Way>& choices() {
   static const std::vector<Way> all{
@@ -126,7 +114,35 @@ const std::vector<Way>& choices() {
   return all;
 }
 
+/// Whether laws have no memory and keep the configuration that they start from: what total Lagrangian steps are
+/// for.
+bool is_elastic(const v1::Scene& scene) {
+  return std::ranges::all_of(scene.materials(), [](const v1::Material& material) {
+    return material.law_case() < v1::Material::kVonMises && !material.has_damage();
+  });
+}
+
 }  // namespace
+
+v1::Setting with_cell_size(const v1::Scene& scene, double cell_size) {
+  const double before = scene.domain().cell_size();
+  const double ratio = cell_size / before;
+  std::vector<std::string> changes{"domain.cell_size=" + exact_text(cell_size)};
+  for (int i = 0; i < scene.constants_size(); ++i) {
+    if (is_cell_size(scene, scene.constants(i)))
+      changes.push_back("constants[" + std::to_string(i) + "].value=" + exact_text(cell_size));
+  }
+  if (scene.numerics().has_time_step())
+    changes.push_back("numerics.time_step=" + exact_text(scene.numerics().time_step() * ratio));
+  if (scene.analysis().has_implicit_dynamics()) {
+    constexpr int default_steps = 100;
+    const v1::ImplicitDynamics& motion = scene.analysis().implicit_dynamics();
+    const int steps = motion.has_time_steps() ? motion.time_steps() : default_steps;
+    const auto scaled = static_cast<std::int64_t>(std::ceil(steps / ratio - 1e-9));
+    changes.push_back("analysis.implicit_dynamics.time_steps=" + std::to_string(scaled));
+  }
+  return setting(exact_text(cell_size), changes);
+}
 
 v1::Dial ladder_dial(const v1::Scene& scene, const v1::Ladder& ladder) {
   const int levels = ladder.has_levels() ? ladder.levels() : 3;
@@ -160,6 +176,25 @@ google::protobuf::RepeatedPtrField<v1::Dial> default_dials(const v1::Scene& scen
   }
   *dials.Add() = ladder_dial(scene, ladder);
   return dials;
+}
+
+std::vector<v1::Setting> target_methods(const v1::Scene& scene) {
+  const std::vector<Way> ways = ways_of(scene);
+  const Way& way = best_of(ways);
+  const auto total = [&](const std::string& functions, const std::string& name) {
+    std::vector<std::string> changes = way.changes;
+    changes.insert(changes.end(), {"numerics.scheme=TLMPM", "numerics.shape_functions=" + functions});
+    if (way.is_explicit) changes.emplace_back("numerics.time_step_fraction=0.9");
+    return setting(way.name + ", TLMPM " + name, changes);
+  };
+  std::vector<v1::Setting> methods;
+  if (is_elastic(scene)) {
+    methods.push_back(total("linear", "linear"));
+    methods.push_back(total("quadratic_bspline", "quadratic"));
+  }
+  methods.push_back(setting(way.name + ", as the scene says", way.changes));
+  if (!way.changes.empty()) methods.push_back(setting("as the scene says", {}));
+  return methods;
 }
 
 }  // namespace trajan

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "trajan/v1/studies.pb.h"
 
 namespace trajan {
 
-/// The cell sizes of a ladder as a dial, the coarsest first. A constant "cell" that is the cell size, a given time
-/// step and the number of an implicit motion's time steps go with it. Throws ServiceError INVALID_ARGUMENT for
+/// Another cell size, with all that the scene has in proportion to it: a constant "cell" that is the cell size, a
+/// given time step and the number of an implicit motion's time steps.
+v1::Setting with_cell_size(const v1::Scene& scene, double cell_size);
+
+/// The cell sizes of a ladder as a dial, the coarsest first. Throws ServiceError INVALID_ARGUMENT for
 /// numbers that are out of range.
 v1::Dial ladder_dial(const v1::Scene& scene, const v1::Ladder& ladder);
 
@@ -14,5 +19,9 @@ v1::Dial ladder_dial(const v1::Scene& scene, const v1::Ladder& ladder);
 /// scene with a constant "cell" that is the cell size, four times, twice and once: its exact values are those at
 /// places of particles, which probes of a given size find with cells of the scene's own size at least.
 google::protobuf::RepeatedPtrField<v1::Dial> default_dials(const v1::Scene& scene);
+
+/// Ways to the answer for a target to climb by, the most promising first, those that are not valid too: of elastic
+/// bodies total Lagrangian with linear and with quadratic functions, then what the scene says.
+std::vector<v1::Setting> target_methods(const v1::Scene& scene);
 
 }  // namespace trajan

@@ -103,30 +103,13 @@ class Violations {
   std::map<std::string, std::pair<v1::Violation, std::vector<std::string>>> entries_;
 };
 
-/// Changes the scene; what cannot be changed is a violation.
-google::protobuf::RepeatedPtrField<v1::Violation> change(v1::Scene& scene, const v1::Setting& setting) {
-  google::protobuf::RepeatedPtrField<v1::Violation> violations;
-  for (const std::string& text : setting.changes()) {
-    try {
-      change_field(scene, text);
-    } catch (const FieldChangeError& error) {
-      v1::Violation& violation = *violations.Add();
-      violation.set_path(text.substr(0, text.find('=')));
-      violation.set_value(text);
-      violation.set_problem(error.what());
-      violation.set_remedy(error.hint);
-    }
-  }
-  return violations;
-}
-
 /// A run of a combination, and what is wrong with it.
 google::protobuf::RepeatedPtrField<v1::Violation> plan_run(const std::vector<const v1::Setting*>& settings,
                                                            store::PlannedRun& planned) {
   google::protobuf::RepeatedPtrField<v1::Violation> violations;
   for (const v1::Setting* setting : settings) {
     planned.run.add_settings(setting->name());
-    violations.MergeFrom(change(planned.scene, *setting));
+    violations.MergeFrom(change_scene(planned.scene, *setting));
   }
   return violations.empty() ? violations_of(planned.scene) : violations;
 }
@@ -198,6 +181,22 @@ store::StudyPlan plan_tradeoff(const v1::SubmitStudyRequest& request) {
 }
 
 }  // namespace
+
+google::protobuf::RepeatedPtrField<v1::Violation> change_scene(v1::Scene& scene, const v1::Setting& setting) {
+  google::protobuf::RepeatedPtrField<v1::Violation> violations;
+  for (const std::string& text : setting.changes()) {
+    try {
+      change_field(scene, text);
+    } catch (const FieldChangeError& error) {
+      v1::Violation& violation = *violations.Add();
+      violation.set_path(text.substr(0, text.find('=')));
+      violation.set_value(text);
+      violation.set_problem(error.what());
+      violation.set_remedy(error.hint);
+    }
+  }
+  return violations;
+}
 
 store::StudyPlan plan_study(const v1::SubmitStudyRequest& request) {
   switch (request.kind_case()) {

@@ -8,4 +8,7 @@ namespace trajan {
 /// not exist, or scenes that have violations: all of them, each with the runs that it is of.
 store::StudyPlan plan_study(const v1::SubmitStudyRequest& request);
 
+/// Makes the changes of a setting; what cannot be changed is a violation.
+google::protobuf::RepeatedPtrField<v1::Violation> change_scene(v1::Scene& scene, const v1::Setting& setting);
+
 }  // namespace trajan

@@ -13,12 +13,6 @@ namespace trajan {
 
 namespace {
 
-const v1::MeasureValue* find_measure(const v1::Run& run, const std::string& name) {
-  const auto found = std::ranges::find_if(run.measures(),
-                                          [&](const v1::MeasureValue& measure) { return measure.name() == name; });
-  return found == run.measures().end() ? nullptr : &*found;
-}
-
 /// 1 if it is the same in all runs.
 double cell_size_of(const v1::Study& study, const v1::Run& run) {
   const auto dial = std::ranges::find(study.dials(), cell_size_dial);
@@ -61,7 +55,14 @@ bool all_succeeded(const v1::Study& study) {
   return std::ranges::all_of(study.runs(), [](const v1::Run& run) { return run.state() == v1::SUCCEEDED; });
 }
 
-void derive_ladder(v1::Study& study) {
+/// Of a check no claim is made.
+void withdraw(v1::Convergence& convergence) {
+  convergence.clear_extrapolated();
+  convergence.clear_band();
+  convergence.set_no_claim("it is a check, whose exact value is not what smaller cells approach");
+}
+
+void derive_ladder(v1::Study& study, const v1::Scene& scene) {
   if (study.runs().empty() || !all_succeeded(study)) return;
   const v1::Run& finest = study.runs(study.runs_size() - 1);
   for (const v1::MeasureValue& measure : finest.measures()) {
@@ -72,6 +73,7 @@ void derive_ladder(v1::Study& study) {
     }
     v1::Convergence convergence = describe(measure.name(), levels);
     if (measure.has_exact()) convergence.set_exact(measure.exact());
+    if (is_check(scene, measure)) withdraw(convergence);
     *study.add_convergences() = convergence;
   }
 }
@@ -172,8 +174,21 @@ void derive_trade(v1::Study& study) {
 
 }  // namespace
 
-void derive(v1::Study& study) {
-  if (study.job().study().kind() == "ladder") derive_ladder(study);
+const v1::MeasureValue* find_measure(const v1::Run& run, const std::string& name) {
+  const auto found = std::ranges::find_if(run.measures(),
+                                          [&](const v1::MeasureValue& measure) { return measure.name() == name; });
+  return found == run.measures().end() ? nullptr : &*found;
+}
+
+bool is_check(const v1::Scene& scene, const v1::MeasureValue& value) {
+  const auto measure = std::ranges::find(scene.measures(), value.name(), &v1::Measure::name);
+  if (measure == scene.measures().end()) return false;
+  const auto exact = value.has_exact() ? std::optional(value.exact()) : std::nullopt;
+  return accuracy::is_check(measure->quantity(), exact, measure->has_deviation());
+}
+
+void derive(v1::Study& study, const v1::Scene& scene) {
+  if (study.job().study().kind() == "ladder") derive_ladder(study, scene);
   if (study.job().study().kind() == "tradeoff") derive_trade(study);
 }
 

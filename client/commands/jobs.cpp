@@ -183,6 +183,7 @@ void declare_submit(CLI::App& app, const GlobalOptions& global, Action& action) 
       ->expected(1)
       ->take_all();
   app.add_option("--priority", asked->options.priority, "Higher runs earlier")->check(CLI::Range(-100, 100));
+  add_fidelity_options(app, asked->options.fidelity);
   app.add_option("--request-id", asked->options.request_id,
                  "The same id never makes a second job (default: random)")
       ->type_name("ID");

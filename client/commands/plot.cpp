@@ -74,9 +74,10 @@ bool plot_study(const GlobalOptions& global, const Plot& asked) {
   v1::GetJobRequest request;
   request.set_job_id(resolve_job(connection, asked.source));
   const v1::Job job = connection.call(&v1::Jobs::Stub::GetJob, request);
-  if (!job.has_study()) return false;
+  if (!job.has_study() || job.study().kind() == "target") return false;
   if (job.study().kind() != "tradeoff")
-    throw CommandError(ExitCode::usage, "of studies only tradeoffs have a picture", "plot one of its runs");
+    throw CommandError(ExitCode::usage, "of studies only tradeoffs and targets have a picture",
+                       "plot one of its runs");
   const std::string picture = asked.picture.empty() ? asked.source + "-tradeoff.png" : asked.picture;
   draw_trade(read_study(connection, job.job_id()), picture);
   std::cout << picture << '\n';

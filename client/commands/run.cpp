@@ -14,6 +14,8 @@
 #include "client/private_server.h"
 #include "client/progress_display.h"
 #include "client/result_folder.h"
+#include "client/study.h"
+#include "client/study_table.h"
 #include "client/submission.h"
 #include "client/terminal.h"
 
@@ -112,6 +114,7 @@ ExitCode run(const GlobalOptions& global, const Run& asked) {
   if (!has_ended(job.state())) job = stop(connection, job_id, interrupt);
   const std::vector<std::string> files = bring_back(connection, job, asked, interrupt);
   if (job.state() == v1::CANCELLED && server.is_private()) return report_stopped(job, files);
+  if (job.has_study()) print_answer(std::cout, read_study(connection, job_id));
   const ExitCode code = report_outcome(job);
   if (!files.empty() && !job.measures().empty()) std::cout << '\n';
   for (const std::string& file : files) std::cout << file << '\n';
@@ -129,6 +132,7 @@ void declare_run(CLI::App& app, const GlobalOptions& global, Action& action) {
       ->type_name("KEY=VALUE")
       ->take_all();
   app.add_option("--priority", asked->options.priority, "Higher runs earlier")->check(CLI::Range(-100, 100));
+  add_fidelity_options(app, asked->options.fidelity);
   app.add_flag("--picture,!--no-picture", asked->picture, "Draw the measured histories (default: yes)");
   app.footer("Uses the configured server, or the default one if it runs, or a private one for this run alone.");
   set_action(app, global, action, asked, run);

@@ -42,6 +42,11 @@ Estimate no_claim(Behaviour behaviour, std::optional<double> order, const char* 
 
 }  // namespace
 
+bool is_check(std::string_view quantity, std::optional<double> exact, bool is_deviation) {
+  if (quantity.starts_with("energies.") || quantity.starts_with("momentum.")) return true;
+  return exact == 0.0 && !is_deviation;
+}
+
 std::optional<double> observed_order(const Level& coarse, const Level& middle, const Level& fine) {
   const double r21 = middle.cell_size / fine.cell_size;
   const double r32 = coarse.cell_size / middle.cell_size;

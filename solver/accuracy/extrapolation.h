@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 /// What answers on grids of different cell sizes say of their errors.
 namespace trajan::accuracy {
@@ -38,6 +39,11 @@ inline constexpr double expected_order = 2;
 /// before counts.
 inline constexpr double asymptotic_factor = 2;
 inline constexpr double cautious_factor = 3;
+
+/// Whether a measure is a check of rest or conservation rather than an answer: an energy, a momentum, or what
+/// should be 0 and is no deviation from a curve. Its exact value is not the limit of small cells (time that is too
+/// short, steps that are too long and rounding remain), so that a ladder of cells says nothing of its error.
+bool is_check(std::string_view quantity, std::optional<double> exact, bool is_deviation);
 
 /// The order p of values phi = exact + C h^p, from the differences of three levels whose ratios need not be equal
 /// (Celik et al. 2008, equation 3, solved by bisection): (r32^p - 1) r21^p / (r21^p - 1) = |phi3 - phi2| / |phi2 -

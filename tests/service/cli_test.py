@@ -306,6 +306,38 @@ def test_a_tradeoff_marks_the_best_and_draws_them(trajan, tmp_path):
     trajan("tradeoff", "bar.textproto", "--measure", "tap", expect=2)
 
 
+def test_a_run_within_a_tolerance_tells_value_band_settings_and_cost_and_brings_its_files(trajan, server):
+    told = trajan("run", "hanging_rod", "--tolerance", "end_displacement=0.5%", "--no-picture").stdout
+    value, band = map(float, re.search(r"end_displacement = (\S+) \+- (\S+)", told).groups())
+    assert band <= 0.005 * value
+    assert abs(value - 0.25949267) <= band  # the scene's exact value, which a target does not look at
+    assert "core-seconds" in told and "domain.cell_size=" in told and "result.vtkhdf" in told
+    job = json.loads(trajan("ls", "-o", "jsonl").stdout.splitlines()[0])
+    assert job["study"]["kind"] == "target" and job["settings"]["cell_size"] > 0
+    shown = trajan("show", job["job_id"]).stdout
+    assert "answer of" in shown and "answer     end_displacement" in shown
+    trajan("fetch", job["job_id"])
+    trajan("plot", job["job_id"], "--picture", "rod.png")
+    repeated = trajan("run", "hanging_rod", "--tolerance", "end_displacement=0.5%", "--no-picture").stdout
+    assert "0 with the runs that led to it" in repeated, "nothing was computed again"
+
+
+def test_a_tolerance_beyond_the_budget_is_no_answer(trajan, server):
+    done = trajan("run", "hanging_rod", "--tolerance", "end_displacement=0.0000001%", "--budget", "0.5", expect=1)
+    assert "NOT REACHED" in done.stdout and "+-" in done.stdout
+    assert "TOLERANCE_NOT_REACHED" in done.stderr
+    trajan("submit", "hanging_rod", "--tolerance", "end=1%", expect=2)
+    trajan("submit", "hanging_rod", "--tolerance", "end_displacement", expect=2)
+
+
+def test_presets_change_the_cells_and_the_job_tells_the_settings(trajan, server):
+    for preset, cell_size in (("preview", 0.03125), ("standard", 0.015625), ("reference", 0.0078125)):
+        job = trajan("submit", "hanging_rod", "--fidelity", preset).stdout.strip()
+        told = json.loads(trajan("show", job, "-o", "json").stdout)
+        assert told["settings"]["cell_size"] == cell_size
+        assert told["settings"]["numerics"]["scheme"] == "TLMPM"
+
+
 def test_plot_and_render_draw_pictures(trajan, server, tmp_path):
     job = submit(trajan)
     trajan("watch", job)

@@ -91,7 +91,8 @@ class Service:
     def __exit__(self, *_):
         self._exits.close()
 
-    def _call(self, *arguments, text=None, accept=(0,)):
+    def call(self, *arguments, text=None, accept=(0,)):
+        """What `trajan` prints; raises RuntimeError if it ends with another code than those accepted."""
         done = subprocess.run(
             [self._program, *arguments], env=self._environment, input=text, text=True, capture_output=True,
             timeout=PATIENCE,
@@ -107,10 +108,10 @@ class Service:
         if kept:
             return kept
         before = processor_seconds(self._server.pid)
-        job = self._call("submit", "-", text=scene).strip()
-        self._call("watch", job, accept=(0, 1))  # 1: it failed, which its state says, or missed a tolerance
+        job = self.call("submit", "-", text=scene).strip()
+        self.call("watch", job, accept=(0, 1))  # 1: it failed, which its state says, or missed a tolerance
         spent = processor_seconds(self._server.pid) - before
-        told = json.loads(self._call("show", job, "-o", "json"))
+        told = json.loads(self.call("show", job, "-o", "json"))
         return self._keep(folder, scene, job, told, spent)
 
     def sweep(self, name, scene, path, values):
@@ -121,9 +122,9 @@ class Service:
         if all(kept):
             return kept
         over = f"{path}={','.join(map(str, values))}"
-        study = self._call("sweep", "-", "--over", over, "--detach", text=scene).strip()
-        self._call("watch", study, accept=(0, 1))
-        runs = json.loads(self._call("show", study, "-o", "json"))["runs"]
+        study = self.call("sweep", "-", "--over", over, "--detach", text=scene).strip()
+        self.call("watch", study, accept=(0, 1))
+        runs = json.loads(self.call("show", study, "-o", "json"))["runs"]
         return [
             self._keep(folder, text, run["job_id"], run, run.get("cost", {}).get("core_seconds", 0.0))
             for folder, text, run in zip(folders, texts, runs)
@@ -143,7 +144,7 @@ class Service:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "run.json").unlink(missing_ok=True)
         (folder / "scene.textproto").write_text(text, encoding="utf-8")
-        self._call("fetch", job, "--directory", str(folder))
+        self.call("fetch", job, "--directory", str(folder))
         measures = {measure["name"]: measure.get("value") for measure in told.get("measures", [])}
         (folder / "run.json").write_text(json.dumps({"core_seconds": spent, "measures": measures}), encoding="utf-8")
         return Result(folder / "result.vtkhdf", spent, measures)

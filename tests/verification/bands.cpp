@@ -43,8 +43,8 @@ class Runs {
 
 bool is_answer(const Scene& scene, const MeasureValue& measure) {
   const auto definition = std::ranges::find(scene.measures, measure.name, &MeasureDefinition::name);
-  if (definition->quantity.starts_with("energies.") || definition->quantity.starts_with("momentum.")) return false;
-  return *measure.exact != 0 || std::holds_alternative<Deviation>(definition->kind);
+  return !accuracy::is_check(definition->quantity, measure.exact,
+                             std::holds_alternative<Deviation>(definition->kind));
 }
 
 void add_ladder(Runs& runs, const std::vector<double>& factors, std::vector<BandCase>& cases) {

@@ -28,7 +28,7 @@ v1::Study ladder() {
 
 TEST(StudyTable, ExtrapolatesTheMeasuresOfALadder) {
   v1::Study study = ladder();
-  derive(study);
+  derive(study, {});
   ASSERT_EQ(study.convergences_size(), 1);
   const v1::Convergence& found = study.convergences(0);
   EXPECT_EQ(found.behaviour(), v1::Convergence::MONOTONE);
@@ -37,10 +37,31 @@ TEST(StudyTable, ExtrapolatesTheMeasuresOfALadder) {
   EXPECT_GE(found.band(), 0.01);
 }
 
+TEST(StudyTable, ClaimsNothingOfChecks) {
+  v1::Scene scene;
+  v1::Measure& measure = *scene.add_measures();
+  measure.set_name("tip");
+  measure.set_quantity("energies.balance_error");
+  v1::Study energy = ladder();
+  derive(energy, scene);
+  EXPECT_FALSE(energy.convergences(0).has_band());
+  EXPECT_NE(energy.convergences(0).no_claim(), "");
+  measure.set_quantity("tip.velocity.x");
+  v1::Study rest = ladder();
+  rest.mutable_runs(2)->mutable_measures(0)->set_exact(0);
+  derive(rest, scene);
+  EXPECT_FALSE(rest.convergences(0).has_band()) << "what should be at rest";
+  measure.mutable_deviation();
+  v1::Study deviation = ladder();
+  deviation.mutable_runs(2)->mutable_measures(0)->set_exact(0);
+  derive(deviation, scene);
+  EXPECT_TRUE(deviation.convergences(0).has_band()) << "of a curve that is not rest";
+}
+
 TEST(StudyTable, SaysNothingOfALadderThatIsNotWhole) {
   v1::Study study = ladder();
   study.mutable_runs(1)->set_state(v1::FAILED);
-  derive(study);
+  derive(study, {});
   EXPECT_EQ(study.convergences_size(), 0);
 }
 
@@ -59,7 +80,7 @@ TEST(StudyTable, MarksTheParetoSetOfATradeoffAndItsCheapestRuns) {
   add_run(study, {"slow", "0.2"}, 1.05, 10).mutable_measures(0)->set_error(0.05);
   add_run(study, {"fast", "0.2"}, 0.98, 1).mutable_measures(0)->set_error(-0.02);
   add_run(study, {"fast", "0.1"}, 0.996, 4).mutable_measures(0)->set_error(-0.004);
-  derive(study);
+  derive(study, {});
   EXPECT_FALSE(study.runs(0).pareto());
   EXPECT_TRUE(study.runs(1).pareto());
   EXPECT_TRUE(study.runs(2).pareto());
@@ -75,7 +96,7 @@ TEST(StudyTable, MeasuresErrorsAgainstTheBestExtrapolationIfThereIsNoExactValue)
   for (const double size : {0.4, 0.2, 0.1})
     add_run(study, {"second order", std::to_string(size)}, 3 + size * size, 1);
   for (const double size : {0.4, 0.2, 0.1}) add_run(study, {"first order", std::to_string(size)}, 3 - size, 2);
-  derive(study);
+  derive(study, {});
   EXPECT_NEAR(study.trade().reference(), 3, 1e-9);
   EXPECT_GT(study.trade().reference_band(), 0);
   EXPECT_NEAR(study.runs(5).error(), 0.1 / 3, 1e-9);
@@ -87,7 +108,7 @@ TEST(StudyTable, LeavesOutWhatHasFailed) {
   failed.set_state(v1::FAILED);
   failed.clear_measures();
   add_run(study, {"fast", "0.2"}, 0.98, 1).mutable_measures(0)->set_error(-0.02);
-  derive(study);
+  derive(study, {});
   EXPECT_FALSE(study.runs(0).has_error());
   EXPECT_TRUE(study.runs(1).pareto());
 }
