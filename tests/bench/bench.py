@@ -127,7 +127,8 @@ def draw_roofline(result, path):
 def compare(result, other):
     """Prints the ratio of each row to the other result's; marks those beyond both spreads."""
     before = {(row["case"], row["particles"], row["threads"]): row for row in other["rows"]}
-    print(f"\nagainst {other['date']} (triad {other['machine']['triad_bytes_per_s'] / 1e9:.1f} GB/s)")
+    triads = [one["machine"]["triad_bytes_per_s"] / 1e9 for one in (other, result)]
+    print(f"\nagainst {other['date']}; triad {triads[0]:.1f} GB/s then, {triads[1]:.1f} now")
     print(f"{'case':<36} {'particles':>9} {'th':>2} {'before':>8} {'now':>8} {'ratio':>6}  bytes")
     changed = 0
     for row in result["rows"]:

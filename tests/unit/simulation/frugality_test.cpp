@@ -82,6 +82,34 @@ TEST(Memory, AndWorkAreTheSameInADomainAMillionTimesLargerThanTheBodies) {
   EXPECT_EQ(work(in_large), work(in_small));
 }
 
+/// Attributes, stages of a step and bytes.
+auto cost(const Scene& scene) {
+  const ModelPlan planned = plan(validate(scene));
+  std::vector<std::string> names;
+  for (const auto* rows : {&planned.attributes, &planned.node_attributes})
+    for (const ModelPlan::Attribute& row : *rows) names.push_back(row.name);
+  for (const ModelPlan::Sweep& sweep : planned.sweeps)
+    for (const ModelPlan::BodyStages& of_bodies : sweep.of_bodies)
+      names.insert(names.end(), of_bodies.stages.begin(), of_bodies.stages.end());
+  return std::pair(names, planned.memory_bytes);
+}
+
+TEST(Cost, HasNothingOfWhatASceneDoesNotUse) {
+  const Scene scene = test::discs(0.04);
+  Scene other = scene;
+  other.materials.push_back({"unused", 1, "neo_hookean", {{"youngs_modulus", 1}, {"poissons_ratio", 0.3}}});
+  EXPECT_EQ(cost(other), cost(scene)) << "a law that no body has";
+  other = scene;
+  other.boundaries = {{"wall", Edge::bottom, Fixed{}}};
+  EXPECT_EQ(cost(other), cost(scene)) << "a condition on nodes";
+  other = scene;
+  other.outputs.probes = {{"all", Region{}, {Field::displacement, Field::stress}, ""}};
+  EXPECT_EQ(cost(other), cost(scene)) << "a probe between samples";
+  other = scene;
+  other.numerics.transfer = "XPIC";
+  EXPECT_NE(cost(other), cost(scene)) << "a transfer that iterates has its price";
+}
+
 TEST(Memory, IsUnder200BytesAParticleForAHundredThousand) {
   const Model model = validate(test::discs(1.0 / 320));
   const Simulation simulation(model, 1);
