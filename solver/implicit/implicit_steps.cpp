@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/implicit/motion.h"
+#include "solver/implicit/reduction.h"
 #include "solver/implicit/rigid_modes.h"
 #include "solver/implicit/weak_place.h"
 #include "solver/model/names.h"
@@ -17,6 +18,16 @@ namespace {
 /// Equations this badly conditioned make one ask whether all bodies are held.
 constexpr double suspicious_condition = 1e-10;
 constexpr const char* state_name = "step";
+constexpr double asymmetry = 1e-9;
+
+/// Whether the tangent of a step has a direction without resistance, though it is symmetric. Paths by arc length
+/// may lead there; under given loads a body does not stay there.
+bool is_unstable(const Model& model, const NewtonIterations& newton, StepBalance& balance) {
+  const auto* statics = std::get_if<QuasiStatic>(&model.analysis);
+  if (!statics || statics->arc_length || newton.factors().positive_definite) return false;
+  const SparseMatrix tangent = reduced(balance.tangent(), balance.constraints().expand());
+  return (tangent - SparseMatrix(tangent.transpose())).norm() <= asymmetry * tangent.norm();
+}
 
 }  // namespace
 
@@ -97,6 +108,11 @@ void ImplicitSteps::end_step(const StepBalance& balance, const Eigen::VectorXd& 
 }
 
 void ImplicitSteps::accept() {
+  if (is_unstable(model_, *newton_, *balance_))
+    diverge("the equilibrium at the load factor " + std::to_string(next_ / model_.end_time) + " is not stable: " +
+                largest_place(model_, view_->on, newton_->weakest()) + " gives way to the least disturbance",
+            "apply less load, find the critical one by analysis.buckling, or trace the path by "
+            "analysis.quasi_static.arc_length");
   const Eigen::VectorXd& displacement = newton_->displacement();
   end_step(*balance_, displacement);
   move_by(displacement, time_, next_, view_->on, model_, executor_);

@@ -43,9 +43,11 @@ class Lu : public Eigen::UmfPackLU<SparseMatrix> {
   double reciprocal_condition() const { return m_umfpackInfo[UMFPACK_RCOND]; }
 };
 
-/// Preconditioned with an incomplete factor, which is as full as the matrix.
+/// Preconditioned with an incomplete factor, which is as full as the matrix. Nodes keep their order, by tiles: to
+/// find another one takes more memory than the factor.
 using IncompleteCholesky =
-    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>>;
+    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper,
+                             Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>>;
 
 bool same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
   return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
