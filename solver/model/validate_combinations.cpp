@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/names.h"
 #include "solver/model/validator.h"
 #include "solver/schemes/scheme.h"
 #include "solver/transfers/transfer.h"
@@ -68,11 +72,54 @@ constexpr Exclusion exclusions[] = {
      "where the thickness is free nothing holds the volume, and nothing locks", "leave it out"},
 };
 
+/// Whether a place is within a rigid body, or on it but for this much.
+bool is_within(const RigidObstacle& obstacle, Vector at, double tolerance) {
+  const Vector from = {at.x - obstacle.point.x, at.y - obstacle.point.y, at.z - obstacle.point.z};
+  if (obstacle.ball) return std::hypot(from.x, from.y, from.z) - obstacle.radius <= tolerance;
+  return from.x * obstacle.normal.x + from.y * obstacle.normal.y + from.z * obstacle.normal.z <= tolerance;
+}
+
+/// Whether a body lies at a rigid one from the start: whether that holds a corner of a particle's cell.
+bool is_touched(const Model& model, const RigidObstacle& obstacle, double tolerance) {
+  const Grid& grid = model.grid;
+  const double h = grid.cell;
+  const int corners = 1 << grid_axes(model.dimension);
+  bool touched = false;
+  for (const Body& body : model.bodies)
+    body.lattice.for_each_point([&](std::int64_t, Vector p) {
+      for (int corner = 0; corner < corners && !touched; ++corner) {
+        const auto along = [&](double x, double origin, int axis) {
+          return origin + h * (std::floor((x - origin) / h) + (corner >> axis & 1));
+        };
+        touched = is_within(
+            obstacle, {along(p.x, grid.origin.x, 0), along(p.y, grid.origin.y, 1), along(p.z, grid.origin.z, 2)},
+            tolerance);
+      }
+    });
+  return touched;
+}
+
 }  // namespace
 
 void Validator::check_combinations() {
   for (const Exclusion& exclusion : exclusions)
     if (exclusion.applies(model_)) violations_.add(exclusion.path, "", exclusion.problem, exclusion.remedy);
+  if (is_total(model_)) check_rigid_bodies_at_rest();
+}
+
+/// In a total Lagrangian scheme nodes are where bodies lay at rest: what meets a rigid body later is not seen.
+void Validator::check_rigid_bodies_at_rest() {
+  if (std::ranges::any_of(model_.grid.periodic, [](bool periodic) { return periodic; })) return;
+  for (const BoundaryCondition& condition : model_.conditions) {
+    const auto* obstacle = std::get_if<RigidObstacle>(&condition.kind);
+    if (obstacle == nullptr || is_touched(model_, *obstacle, node_tolerance * model_.grid.cell)) continue;
+    if (std::ranges::any_of(obstacle->displacement, [](const auto& u) { return u.has_value(); })) continue;
+    const auto place = std::ranges::find(scene_.boundaries, condition.name, &BoundaryDefinition::name);
+    violations_.add(
+        indexed("boundaries", static_cast<std::size_t>(place - scene_.boundaries.begin())), condition.name,
+        "no body lies at it at the start, and a total Lagrangian scheme does not see what meets it later",
+        "choose an updated Lagrangian numerics.scheme, for example \"MUSL\", or let them touch at first");
+  }
 }
 
 }  // namespace trajan

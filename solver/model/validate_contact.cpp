@@ -12,6 +12,11 @@ RigidObstacle Validator::check_contact(const std::string& path, const Contact& c
   if (contact.bonded && contact.friction > 0)
     violations_.add(path + ".friction", number_text(contact.friction), "what is bonded does not slide",
                     "leave out friction or bonded");
+  // Nodes that are held swing between push and pull from step to step: a block slid a third of its way.
+  if (contact.no_separation && contact.friction > 0)
+    violations_.add(path + ".friction", number_text(contact.friction),
+                    "what is held is pushed and pulled by turns, and friction would count the pushes alone",
+                    "leave out friction or no_separation");
   obstacle.friction = contact.friction;
   obstacle.bonded = contact.bonded;
   obstacle.separates = !contact.no_separation;

@@ -95,6 +95,7 @@ class Validator : private Checks {
   void check_newton(const std::string& path, const Newton& newton);
   void check_numerics();
   void check_combinations();
+  void check_rigid_bodies_at_rest();
   void check_transfer();
   void check_time_step();
   void check_outputs();

@@ -196,11 +196,22 @@ const std::vector<Mistake> boundaries = {
        s.boundaries[0] = {"floor", {}, RigidPlane{{0, 0}, {0, 1}, {-0.1, false, false, {}}}};
      },
      "boundaries[0].rigid_plane.contact.friction", "negative"},
+    {"FrictionOfWhatIsHeld",
+     [](Scene& s) {
+       s.boundaries[0] = {"floor", {}, RigidPlane{{0, 0}, {0, 1}, {0.1, false, true, {}}}};
+     },
+     "boundaries[0].rigid_plane.contact.friction", "pushed and pulled", "no_separation"},
     {"BallWithoutRadius",
      [](Scene& s) {
        s.boundaries[0] = {"ball", {}, RigidBall{{0, 0}, 0, {}}};
      },
      "boundaries[0].rigid_ball.radius", "greater than 0"},
+    {"PlaneThatATotalLagrangianBodyWouldMeetLater",
+     [](Scene& s) {
+       s.numerics.scheme = "TLMPM";
+       s.boundaries[1] = {"floor", {}, RigidPlane{{0, -0.5}, {0, 1}, {}}};
+     },
+     "boundaries[1]", "what meets it later", "MUSL"},
     {"HingeOfNoKind",
      [](Scene& s) {
        s.boundaries[0] = {"pin", {}, hinge("beam", HingeKind::unspecified, {})};
