@@ -89,10 +89,12 @@ void BodyContacts::find(Place& place, Near& near, const Tiles& tiles, const std:
     for (int node = 0; node < tile_nodes; ++node)
       if (shared >> node & 1u) find_at_node(place, node, tiles, sweep, near);
   }
-  // What sticks does so until the next kick.
+  // What sticks or presses does so until the next kick, wherever particles have moved.
   for (NodeContact& contact : near.contacts) {
     const auto old = std::lower_bound(place.contacts.begin(), place.contacts.end(), contact, pair_before);
-    if (old != place.contacts.end() && same_pair(*old, contact)) contact.sticks = old->sticks;
+    if (old == place.contacts.end() || !same_pair(*old, contact)) continue;
+    contact.sticks = old->sticks;
+    contact.impulse = old->impulse;
   }
   place.contacts.assign(near.contacts.begin(), near.contacts.end());
 }

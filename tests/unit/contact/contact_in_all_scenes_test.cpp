@@ -107,6 +107,25 @@ TEST(ContactInAllScenes, ActsAcrossTheSeamOfAPeriodicAxis) {
   expect_right(scene);
 }
 
+class ContactWithScheme : public testing::TestWithParam<const char*> {};
+
+TEST_P(ContactWithScheme, TakesEnergyAndGivesNone) {
+  Scene scene = empty(Dimension::plane_strain);
+  scene.domain.lower = {-4, -4};
+  scene.bodies = {{"left", "solid", Disc{{-1.01, 0}, 1}, 2, {"0.5", "0.2"}},
+                  {"right", "solid", Disc{{1.01, 0}, 1}, 2, {"-0.5", "-0.2"}}};
+  scene.numerics.scheme = GetParam();
+  scene.numerics.shape_functions = "gimp";
+  scene.analysis.end_time = 0.5;
+  scene.outputs.samples = 50;
+  const Model model = validate(scene);
+  for (const std::vector<double>& row : recorded(model).rows)
+    EXPECT_LT(row[column(model, "energies.balance_error")], 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Contact, ContactWithScheme, testing::Values("MUSL", "USF", "USAVG", "USL"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
 /// By symmetry what is in the middle stays there, and the three meet at the same nodes: it is half a cell wide.
 TEST(ContactInAllScenes, OfThreeBodiesKeepsMomentumAndSymmetry) {
   Scene scene = empty(Dimension::plane_strain);
