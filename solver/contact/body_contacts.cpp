@@ -55,11 +55,21 @@ void BodyContacts::find(ThreadPool& pool, const Tiles& tiles, const std::vector<
   for_each_place(pool, [&](Place& place, Near& near) { find(place, near, tiles, bodies, sweep, least_mass); });
 }
 
-Reaction BodyContacts::act(ThreadPool& pool, Tiles& tiles, const HeldComponents& held, double kick) {
+double BodyContacts::act(ThreadPool& pool, Tiles& tiles, const HeldComponents& held, double kick) {
   for_each_place(pool, [&](Place& place, Near& near) { act(place, near, tiles, held, kick); });
-  Reaction all;
-  for (const Place& place : places_) all.dissipated += place.dissipated;
-  return all;
+  double dissipated = 0;
+  for (const Place& place : places_) dissipated += place.dissipated;
+  return dissipated;
+}
+
+Components BodyContacts::impulse_on(std::size_t body, const Tiles& tiles) const {
+  Components sum{};
+  for (const Place& place : places_)
+    for (const NodeContact& contact : place.contacts)
+      for (const auto& [field, sign] : {std::pair(contact.first, -1.0), std::pair(contact.second, 1.0)})
+        if (tiles.tiles()[place.first + field].field == plan_.field_of[body])
+          for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += sign * contact.impulse[axis];
+  return sum;
 }
 
 void BodyContacts::act_on(ThreadPool& pool, Tiles& tiles, const HeldComponents& held, NodeVector velocities) {

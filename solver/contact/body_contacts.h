@@ -26,8 +26,10 @@ class BodyContacts {
   /// Finds where fields touch. `least_mass`: nodes with less do not move.
   void find(ThreadPool& pool, const Tiles& tiles, const std::vector<BodyParticles>& bodies,
             const SweepConstants& sweep, double least_mass);
-  /// Changes accelerations and velocities after a kick of this length.
-  Reaction act(ThreadPool& pool, Tiles& tiles, const HeldComponents& held, double kick);
+  /// Changes accelerations and velocities after a kick of this length. Returns the energy that is dissipated.
+  double act(ThreadPool& pool, Tiles& tiles, const HeldComponents& held, double kick);
+  /// The impulse of that kick on a body by all others.
+  Components impulse_on(std::size_t body, const Tiles& tiles) const;
   /// Makes other velocities of the nodes fit: what touches does not come closer, what stuck in the last kick still
   /// sticks. Friction has had its impulse.
   void act_on(ThreadPool& pool, Tiles& tiles, const HeldComponents& held, NodeVector velocities);

@@ -1,6 +1,15 @@
 #include "solver/model/model.h"
 
+#include <algorithm>
+
 namespace trajan {
+
+bool has_contact(const Model& model) {
+  return model.contacts.fields > 1 ||
+         std::ranges::any_of(model.conditions, [](const BoundaryCondition& condition) {
+           return std::holds_alternative<RigidObstacle>(condition.kind);
+         });
+}
 
 std::vector<std::string> history_columns(const Model& model) {
   std::vector<std::string> columns;
@@ -14,11 +23,15 @@ std::vector<std::string> history_columns(const Model& model) {
   }
   for (const char* energy : {"kinetic", "strain", "work", "dissipated", "total", "balance_error"})
     columns.push_back(std::string("energies.") + energy);
+  if (has_contact(model)) columns.emplace_back("energies.contact");
   for (const std::string_view axis : vector_components(model.dimension))
     columns.push_back("momentum." + std::string(axis));
   for (std::size_t condition : model.outputs.reactions)
     for (const std::string_view axis : vector_components(model.dimension))
       columns.push_back("reactions." + model.conditions[condition].name + "." + std::string(axis));
+  for (std::size_t body : model.outputs.contact_forces)
+    for (const std::string_view axis : vector_components(model.dimension))
+      columns.push_back("reactions." + model.bodies[body].name + "." + std::string(axis));
   if (std::holds_alternative<Modal>(model.analysis)) {
     columns.insert(columns.end(), {"modes.frequency", "modes.residual"});
     for (const std::string_view axis : vector_components(model.dimension))

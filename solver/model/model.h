@@ -112,12 +112,15 @@ class Model {
   Model() = default;
 };
 
+/// Whether bodies may touch each other or rigid bodies.
+bool has_contact(const Model& model);
+
 /// Names of the histories' columns, in the order in which they are sampled: probes in the order of the
 /// scene ("tip.displacement.x", …), then "energies.kinetic", "energies.strain", "energies.work",
-/// "energies.dissipated", "energies.total", "energies.balance_error", then "momentum.x" and, as far as
-/// vectors have them, "momentum.y" and "momentum.z", then likewise the forces of boundary conditions that are
-/// asked for, "reactions.support.x",
-/// and of a relaxation "relaxation.residual" and "relaxation.steps".
+/// "energies.dissipated", "energies.total", "energies.balance_error" and, where there is contact,
+/// "energies.contact", then "momentum.x" and, as far as vectors have them, "momentum.y" and "momentum.z", then
+/// likewise the forces of boundary conditions and then of contact on bodies that are asked for,
+/// "reactions.support.x", and of a relaxation "relaxation.residual" and "relaxation.steps".
 std::vector<std::string> history_columns(const Model& model);
 
 }  // namespace trajan

@@ -28,7 +28,8 @@ struct OutputPlan {
   std::int64_t samples_per_snapshot = 0;
   std::vector<RecordedField> snapshot_fields;  ///< beside positions and velocities
   std::vector<Probe> probes;
-  std::vector<std::size_t> reactions;  ///< indices of boundary conditions
+  std::vector<std::size_t> reactions;       ///< indices of boundary conditions
+  std::vector<std::size_t> contact_forces;  ///< indices of bodies, each alone in its field
 };
 
 struct Measure {

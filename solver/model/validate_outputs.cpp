@@ -71,7 +71,11 @@ void Validator::check_reactions() {
     const std::string path = indexed("outputs.reactions", i);
     const auto found = std::ranges::find(model_.conditions, asked[i], &BoundaryCondition::name);
     const auto index = static_cast<std::size_t>(found - model_.conditions.begin());
-    if (asked[i].empty() || found == model_.conditions.end()) {
+    const auto body = body_index_.find(asked[i]);
+    if (std::find(asked.begin(), asked.begin() + static_cast<std::ptrdiff_t>(i), asked[i]) !=
+        asked.begin() + static_cast<std::ptrdiff_t>(i)) {
+      violations_.add(path, asked[i], quoted(asked[i]) + " is asked for twice", "name each one once");
+    } else if (asked[i].empty() || (found == model_.conditions.end() && body == body_index_.end())) {
       // One that is wrong itself is not reported again.
       const auto same = [&](const BoundaryDefinition& definition) { return definition.name == asked[i]; };
       const auto defined = std::ranges::find_if(scene_.boundaries, same);
@@ -79,12 +83,29 @@ void Validator::check_reactions() {
         unknown_name(path, asked[i], "boundary condition", names);
       else if (std::holds_alternative<Periodic>(defined->condition))
         violations_.add(path, asked[i], "a periodic condition has no reaction", "leave it out");
-    } else if (std::ranges::count(model_.outputs.reactions, index) > 0) {
-      violations_.add(path, asked[i], quoted(asked[i]) + " is asked for twice", "name each condition once");
+    } else if (found == model_.conditions.end()) {
+      check_contact_force(path, asked[i], body->second);
     } else {
       model_.outputs.reactions.push_back(index);
     }
   }
+}
+
+void Validator::check_contact_force(const std::string& path, const std::string& name, std::size_t body) {
+  const std::vector<std::uint32_t>& fields = model_.contacts.field_of;
+  const auto touches = [&](const BodyContact& contact) {
+    return contact.bodies.empty() || std::ranges::count(contact.bodies, name) > 0;
+  };
+  if (std::ranges::none_of(scene_.contacts, touches))
+    violations_.add(path, name, "no contact is defined for body " + quoted(name),
+                    "name it in contacts, or ask for a boundary condition");
+  else if (body < fields.size() && std::ranges::count(fields, fields[body]) > 1)
+    violations_.add(path, name,
+                    "other bodies touch the same ones as body " + quoted(name) +
+                        " and not each other: they feel contact as one",
+                    "ask for the force on what they touch, or let them touch each other");
+  else
+    model_.outputs.contact_forces.push_back(body);
 }
 
 void Validator::check_snapshots() {

@@ -111,6 +111,7 @@ class Validator : private Checks {
                                              const std::vector<std::string>& history) const;
   void check_snapshot_fields();
   void check_reactions();
+  void check_contact_force(const std::string& path, const std::string& name, std::size_t body);
   void check_snapshots();
   void check_probe(const std::string& path, const ProbeDefinition& definition);
   std::vector<std::int64_t> nearest(const std::string& path, Vector place, const std::vector<std::size_t>& bodies);

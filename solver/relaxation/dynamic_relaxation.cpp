@@ -63,6 +63,17 @@ bool may_be_stopped(const Model& model) {
          std::ranges::any_of(model.grid.periodic, [](bool periodic) { return periodic; });
 }
 
+std::string remedy_of_stuck(const Model& model) {
+  const std::string larger = "accept a larger analysis.relaxation.tolerance, or ";
+  if (has_contact(model))
+    return larger +
+           "load slowly in explicit dynamics with analysis.damping: nodes at which bodies meet touch and "
+           "part again while all else is nearly at rest";
+  return larger +
+         "choose numerics.scheme: \"TLMPM\" or smooth shape functions, by which particles that cross cells "
+         "make no noise";
+}
+
 }  // namespace
 
 DynamicRelaxation::DynamicRelaxation(const Model& model, const Relaxation& limits, Executor& executor,
@@ -154,7 +165,7 @@ void DynamicRelaxation::halt() {
 /// The forces were those of the places before the step: looks again where the particles are now, at rest.
 bool DynamicRelaxation::is_settled() {
   halt();
-  const double work = executor_.account().work(), dissipated = executor_.account().dissipated();
+  const Exchanged exchanged = executor_.account().exchanged();
   executor_.account().forget_reactions();
   StepTimes times;
   times.step = number_;
@@ -162,7 +173,7 @@ bool DynamicRelaxation::is_settled() {
   times.after = until_ + 0.5 * time_step_;
   executor_.particles({Pass::locate, Pass::force, Pass::scatter_state});
   executor_.update_velocities(times);
-  executor_.account().restore(work, dissipated);
+  executor_.account().restore(exchanged);
   // The force at the sample is recorded as if it had been there since the last one.
   const double interval = model_.end_time / static_cast<double>(model_.outputs.samples);
   for (Reaction& reaction : executor_.account().reactions())
@@ -191,8 +202,7 @@ void DynamicRelaxation::watch_progress(bool peak) {
         << steps_of_level_ << " steps of a load level: unbalanced forces are " << residual_
         << " of the external ones, at best " << least_;
   throw Diverged({number_, until_, -1, cause.str(),
-                  stuck ? "accept a larger analysis.relaxation.tolerance, or choose numerics.scheme: \"TLMPM\" or "
-                          "smooth shape functions, by which particles that cross cells make no noise"
+                  stuck ? remedy_of_stuck(model_)
                         : "allow more analysis.relaxation.most_steps; a body that no boundary holds never rests"});
 }
 

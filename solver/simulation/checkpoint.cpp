@@ -100,8 +100,10 @@ Checkpoint Simulation::save() {
   checkpoint.arrays.push_back({"surface_points", surface_points(executor_.riders())});
   const Account& account = executor_.account();
   checkpoint.arrays.push_back({"reactions", pack(account.reactions())});
-  checkpoint.arrays.push_back({"energies", std::vector<double>{account.work(), account.dissipated(),
-                                                               initial_energy_, largest_energy_, largest_input_}});
+  const Exchanged& exchanged = account.exchanged();
+  checkpoint.arrays.push_back(
+      {"energies", std::vector<double>{exchanged.work, exchanged.dissipated, exchanged.contact, initial_energy_,
+                                       largest_energy_, largest_input_}});
   if (stepper_) stepper_->save(checkpoint);
   return checkpoint;
 }
@@ -128,11 +130,11 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
   executor_.order() = {order[0], order[1]};
   stepper_ = make_stepper(model, executor_, &checkpoint);
   const auto& energies = checkpoint_array<double>(checkpoint, "energies");
-  executor_.account().restore(energies[0], energies[1]);
+  executor_.account().restore({energies[0], energies[1], energies[2]});
   executor_.account().restore(unpack_reactions(checkpoint_array<double>(checkpoint, "reactions")));
-  initial_energy_ = energies[2];
-  largest_energy_ = energies[3];
-  largest_input_ = energies[4];
+  initial_energy_ = energies[3];
+  largest_energy_ = energies[4];
+  largest_input_ = energies[5];
   sample_ = checkpoint.sample;
   steps_ = checkpoint.step;
   coherence_.resume(steps_);

@@ -42,7 +42,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
              period_in_tiles(model.grid, transfer_.layout)),
       sweeps_(model, transfer_kind_, transfer_, tiles_.sum_quantities()),
       shares_(static_cast<std::size_t>(threads) + 1, 0),
-      account_(conditions_.count()) {
+      account_(model) {
   if (!rehearsal_) add_particles(model, bodies_);
   sweep_.cell = model.grid.cell;
   sweep_.inverse_cell = 1 / model.grid.cell;
@@ -248,8 +248,9 @@ void Executor::kick_nodes(double light_node) {
   });
   if (complete_at_once) return;
   contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
-  const Reaction contact = contacts_.act(pool_, tiles_, conditions_.held(), times_.kick());
-  account_.add(contact.work, contact.dissipated);
+  account_.add_contact(contacts_.act(pool_, tiles_, conditions_.held(), times_.kick()));
+  for (std::size_t i = 0; i < model_.outputs.contact_forces.size(); ++i)
+    account_.add_contact(i, contacts_.impulse_on(model_.outputs.contact_forces[i], tiles_));
   conditions_.act_on_surfaces(bodies_, tiles_, account_.of_tile(0));
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);

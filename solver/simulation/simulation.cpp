@@ -104,18 +104,23 @@ void Simulation::measure() {
   columns_.clear();
   probe();
   const double total = totals_.kinetic_energy + totals_.strain_energy;
-  const double work = executor_.account().work();
-  const double dissipated = executor_.account().dissipated() + totals_.dissipated_energy;
+  const Exchanged& exchanged = executor_.account().exchanged();
+  const double work = exchanged.work, dissipated = exchanged.dissipated + totals_.dissipated_energy;
   for (double term : {total, work, dissipated, initial_energy_})
     largest_energy_ = std::max(largest_energy_, std::abs(term));
   const double from_nowhere = total + dissipated - work - initial_energy_;
   balance_error_ = largest_energy_ > 0 ? from_nowhere / largest_energy_ : 0.0;
   columns_.insert(columns_.end(),
                   {totals_.kinetic_energy, totals_.strain_energy, work, dissipated, total, balance_error_});
-  for (int axis = 0; axis < grid_axes(model_.dimension); ++axis) columns_.push_back(totals_.momentum[axis]);
-  for (std::size_t condition : model_.outputs.reactions)
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(grid_axes(model_.dimension)); ++axis)
-      columns_.push_back(executor_.account().reactions()[condition].impulse[axis] / last_interval());
+  if (has_contact(model_)) columns_.push_back(exchanged.contact);
+  const auto axes = static_cast<std::size_t>(grid_axes(model_.dimension));
+  columns_.insert(columns_.end(), totals_.momentum, totals_.momentum + axes);
+  const auto record_force = [&](const Reaction& reaction) {
+    for (std::size_t axis = 0; axis < axes; ++axis) columns_.push_back(reaction.impulse[axis] / last_interval());
+  };
+  const std::span<const Reaction> reactions = executor_.account().reactions();
+  for (std::size_t condition : model_.outputs.reactions) record_force(reactions[condition]);
+  for (const Reaction& of_body : reactions.subspan(model_.conditions.size())) record_force(of_body);
   if (stepper_) stepper_->record(columns_);
   largest_input_ = std::max({largest_input_, std::abs(initial_energy_), std::abs(work)});
   from_nowhere_ = largest_input_ > 0 ? from_nowhere / largest_input_ : 0.0;

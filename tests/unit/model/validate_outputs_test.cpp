@@ -78,6 +78,21 @@ const std::vector<Mistake> outputs = {
        s.outputs.reactions = {"ring"};
      },
      "outputs.reactions[0]", "has no reaction"},
+    {"ContactForceWithoutContact", [](Scene& s) { s.outputs.reactions = {"beam"}; }, "outputs.reactions[0]",
+     "no contact is defined", "contacts"},
+    {"ContactForceGivenTwice",
+     [](Scene& s) {
+       s.contacts = {{}};
+       s.outputs.reactions = {"beam", "ball", "beam"};
+     },
+     "outputs.reactions[2]", "twice"},
+    {"ContactForceOnOneOfTwoThatFeelContactAsOne",
+     [](Scene& s) {
+       s.bodies.push_back({"stop", "rubber", Box{{8, 0}, {8.5, 1}}, 2, {}});
+       s.contacts = {{{"beam", "ball"}}, {{"stop", "ball"}}};
+       s.outputs.reactions = {"beam"};
+     },
+     "outputs.reactions[0]", "feel contact as one"},
     {"ProbeAtInfinity",
      [](Scene& s) {
        s.outputs.probes[0].where = Vector{infinity, 0};
