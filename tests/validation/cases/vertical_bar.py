@@ -20,8 +20,19 @@ TOTAL = (
     ("bernstein", 40, FULL_MASS, ""),
     ("quadratic_bspline", 16, "", "implicit_dynamics { time_steps: 900 newmark {} }"),
 )
-SPATIAL = (("linear", 20, FULL_MASS), ("quadratic_bspline", 12, FULL_MASS), ("bernstein", 12, FULL_MASS))
+IMPLICIT = "implicit_dynamics { time_steps: %d mass: %s generalized_alpha { spectral_radius: 0.8 } }"
+SPATIAL = (
+    # Functions, cells over the side, points along a cell's side, transfer, analysis.
+    ("linear", 20, 2, FULL_MASS, ""),
+    ("bernstein", 8, 2, "", IMPLICIT % (900, "CONSISTENT")),
+    ("bernstein", 8, 2, "", IMPLICIT % (450, "LUMPED")),
+    ("quadratic_bspline", 6, 3, "", IMPLICIT % (900, "CONSISTENT")),
+)
 UPDATED = ("linear", "gimp", "quadratic_bspline", "cpdi")
+WHY_CELLS = (
+    "six cells are too few: the error grows with every period, from 0.3 % in the first one, for which eight cells and half "
+    "as many steps, which cost several times as much, have 0.17 %"
+)
 WHY_MASS = (
     "the grid's mass is lumped, by wide functions over more nodes, so that waves are slower; the full-mass transfer of "
     "order 4 takes a part of it away, finer cells or the consistent mass of implicit steps (the plane row) the rest"
@@ -30,8 +41,10 @@ WHY_MASS = (
 
 def name_of(shapes, transfer="", analysis=""):
     text = {"linear": "linear", "quadratic_bspline": "B-spline", "bernstein": "Bernstein"}.get(shapes, shapes.upper())
-    steps = ", implicit, consistent mass" if analysis else ", full-mass transfer" if transfer else ""
-    return f"{text} functions{steps}"
+    if analysis:
+        mass = "lumped" if "LUMPED" in analysis else "consistent"
+        return f"{text} functions, implicit, {mass} mass"
+    return f"{text} functions" + (", full-mass transfer" if transfer else "")
 
 
 def stored(name):
@@ -44,7 +57,7 @@ def extension(result):
     return time, -displacement[:, -1]
 
 
-def add_rows(section, body, settings, reference, result, why):
+def add_rows(section, body, settings, reference, result, why, goal=GOAL):
     """Rows of a history: its largest distance from the reference, and its first peak."""
     time, found = extension(result)
     true = reference[1]
@@ -52,12 +65,12 @@ def add_rows(section, body, settings, reference, result, why):
     distance = np.abs(found - true).max()
     section.row(
         f"{body}: largest distance from the reference over five periods", 0.0, f"finite elements ({body} history)",
-        distance, settings, result.core_seconds, goal=GOAL, scale=peak, why=why if distance > GOAL * peak else "",
+        distance, settings, result.core_seconds, goal=goal, scale=peak, why=why if goal and distance > goal * peak else "",
     )
     first = time <= 0.13
     section.row(
         f"{body}: first peak of the extension", true[first].max(), f"finite elements ({body} history)",
-        found[first].max(), settings, result.core_seconds, goal=GOAL,
+        found[first].max(), settings, result.core_seconds, goal=goal,
     )
 
 
@@ -109,16 +122,24 @@ def cube(section):
     reference = stored("compliant_cube")
     figure, drawn = plots.axes(1, width=8)
     drawn.plot(*reference, **plots.REFERENCE, label="finite elements of space", zorder=5)
-    for colour, (shapes, cells, transfer) in zip(plots.COLOURS, SPATIAL):
-        label = name_of(shapes, transfer)
+    for colour, (shapes, cells, points, transfer, analysis) in zip(plots.COLOURS, SPATIAL):
+        label = name_of(shapes, transfer, analysis)
+        lumped = "LUMPED" in analysis
         result = section.run(
-            f"cube_{shapes}", "vertical_cube", cell=1 / cells, shapes=shapes, transfer=transfer, row=0.5 / cells,
+            f"cube_{shapes}_{cells}" + ("_lumped" if lumped else ""), "vertical_cube", cell=1 / cells, points=points,
+            shapes=shapes, transfer=transfer, analysis=analysis, row=0.6 / points / cells,
         )
         drawn.plot(*extension(result), color=colour, linewidth=0.9, label=f"TLMPM, {label}, {cells} cells")
-        add_rows(section, "cube", f"TLMPM, {label}, {cells} cells, 2 x 2 x 2 points", reference, result, WHY_MASS)
-    drawn.set(xlabel="time", ylabel="extension", ylim=(-0.1, 2.4))
+        add_rows(
+            section, "cube", f"TLMPM, {label}, {cells} cells, {points} x {points} x {points} points", reference, result,
+            WHY_CELLS if analysis else WHY_MASS, goal=None if lumped else GOAL,
+        )
+    drawn.set(xlabel="time", ylabel="extension", ylim=(-0.1, 2.9))
     drawn.legend(fontsize=8, loc="upper right")
     section.picture("cube", figure, "Figure 21 in space: extension of the cube over time")
+    section.remark("""Explicit steps by wide functions miss by their lumped masses: the row without a goal has the same
+        cells and Bernstein functions as the one above it, in implicit steps twice as long, and differs in the mass
+        alone (with the consistent one and these steps it was 1.3 % off).""")
 
 
 def run(section):
