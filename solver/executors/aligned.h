@@ -22,6 +22,8 @@ struct CacheLineAllocator {
   }
 };
 
-using AlignedDoubles = std::vector<double, CacheLineAllocator<double>>;
+template <class T>
+using AlignedArray = std::vector<T, CacheLineAllocator<T>>;
+using AlignedDoubles = AlignedArray<double>;
 
 }  // namespace trajan

@@ -6,6 +6,16 @@
 #define TRAJAN_INSTRUCTION_SET baseline
 #endif
 
+/// The number type of what particles do on the grid: weights, velocities, what is gathered and scattered.
+#ifndef TRAJAN_REAL
+#define TRAJAN_REAL double
+#endif
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+using Real = TRAJAN_REAL;
+}
+}  // namespace trajan
+
 /// Inlines all that a stage calls, so that its loop vectorises. With a sanitizer's checks in every line that
 /// would only take the compiler a minute per law.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -13,7 +13,7 @@ template <class Stencil, Layout L, Stage Locate>
 void append(Block& block, BlockStencils& out) {
   constexpr int D = L.dimensions, lanes = sizeof(typename Stencil::Row) / sizeof(double);
   Locate(block);
-  const Scratch& scratch = *block.scratch;
+  const RealScratch& scratch = scratch_of(block);
   for (int i = 0; i < block.count; ++i) {
     const std::size_t before = out.nodes.size();
     Stencil(scratch, i).for_each_row([&](int at, auto weights, const auto* slopes) {

@@ -76,7 +76,7 @@ struct AffineKernels {
 struct TransferKernels {
   Layout layout;
   int window_copies;       ///< arrays that a window needs for one quantity
-  int stencil_doubles;     ///< that a block needs for weights that are no products
+  int stencil_size;        ///< numbers that a block needs for weights that are no products
   bool needs_deformation;  ///< particles must know their deformation gradient
   bool staggered;          ///< stencils change in the middle of cells
   Stage locate;
@@ -89,12 +89,15 @@ struct TransferKernels {
   void (*update_velocities)(NodeBlock&);
   void (*map_velocities)(NodeBlock&);
   /// Copies what a tile and its neighbours hold into a window. `mask`: bits of the quantities.
-  void (*load_window)(double* window, const Neighbours& nodes, unsigned mask);
+  void (*load_window)(Scratch&, const Neighbours& nodes, unsigned mask);
   AffineKernels affine;
   Stage gather_projected;                    ///< velocity, where it is not the grid's
   Stage remap;                               ///< the nodes' remainder to the particles, and its momentum back
   void (*reduce_remainder)(NodeBlock&);      ///< by what the particles have brought back
   const TransferKernels* general = nullptr;  ///< these are but for FLIP, those are for all transfers
+
+  /// Numbers of a window for one quantity.
+  int window_size() const { return window_copies * layout.window_nodes; }
 };
 
 /// What depends on the dimension alone.

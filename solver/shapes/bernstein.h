@@ -18,8 +18,8 @@ struct Bernstein {
 
   /// Windows begin two nodes before their tile, and tiles at even nodes.
   static constexpr int first_node(double at) { return 2 * static_cast<int>(0.5 * at); }
-  static void weigh(double p, double, double (&weight)[3], double (&slope)[3]) {
-    const double s = 0.5 * p, r = 1 - s;
+  static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {
+    const Real s = p / 2, r = 1 - s;
     weight[0] = r * r;
     weight[1] = 2 * r * s;
     weight[2] = s * s;

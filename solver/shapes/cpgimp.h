@@ -18,9 +18,9 @@ struct Cpgimp {
 
   static constexpr int first_node(double at) { return static_cast<int>(at) - 1; }
   /// Domains wider than two cells are taken as two cells wide, hardly any width as a fiftieth.
-  static void weigh(double p, double half_size, double (&weight)[4], double (&slope)[4]) {
-    const double size = half_size < 0 ? -half_size : half_size;
-    const double bounded = size < 0.01 ? 0.01 : size > 1 ? 1 : size;
+  static void weigh(Real p, Real half_size, Real (&weight)[4], Real (&slope)[4]) {
+    const Real size = half_size < 0 ? -half_size : half_size;
+    const Real bounded = size < Real(0.01) ? Real(0.01) : size > 1 ? 1 : size;
     average_hats(p, bounded, weight, slope);
   }
 };

@@ -17,16 +17,16 @@ struct CubicBspline {
 
   static constexpr int first_node(double at) { return static_cast<int>(at) - 1; }
   /// p is between 1 and 2.
-  static void weigh(double p, double, double (&weight)[4], double (&slope)[4]) {
-    const double f = p - 1, g = 2 - p;
+  static void weigh(Real p, Real, Real (&weight)[4], Real (&slope)[4]) {
+    const Real f = p - 1, g = 2 - p;
     weight[0] = g * g * g / 6;
     weight[1] = (4 + f * f * (3 * f - 6)) / 6;
     weight[2] = (4 + g * g * (3 * g - 6)) / 6;
     weight[3] = f * f * f / 6;
-    slope[0] = -0.5 * g * g;
-    slope[1] = f * (1.5 * f - 2);
-    slope[2] = g * (2 - 1.5 * g);
-    slope[3] = 0.5 * f * f;
+    slope[0] = -g * g / 2;
+    slope[1] = f * (Real(1.5) * f - 2);
+    slope[2] = g * (2 - Real(1.5) * g);
+    slope[3] = f * f / 2;
   }
 };
 

@@ -16,8 +16,8 @@ struct Gimp {
   static constexpr bool needs_deformation = false;
 
   static constexpr int first_node(double at) { return static_cast<int>(at - 0.5); }
-  static void weigh(double p, double half_size, double (&weight)[3], double (&slope)[3]) {
-    average_hats(p, half_size < 0.5 ? half_size : 0.5, weight, slope);
+  static void weigh(Real p, Real half_size, Real (&weight)[3], Real (&slope)[3]) {
+    average_hats(p, half_size < Real(0.5) ? half_size : Real(0.5), weight, slope);
   }
 };
 

@@ -16,7 +16,7 @@ struct Linear {
   static constexpr bool needs_deformation = false;
 
   static constexpr int first_node(double at) { return static_cast<int>(at); }
-  static void weigh(double p, double, double (&weight)[2], double (&slope)[2]) {
+  static void weigh(Real p, Real, Real (&weight)[2], Real (&slope)[2]) {
     weight[0] = 1 - p;
     weight[1] = p;
     slope[0] = -1;

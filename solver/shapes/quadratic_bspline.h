@@ -17,11 +17,11 @@ struct QuadraticBspline {
 
   static constexpr int first_node(double at) { return static_cast<int>(at - 0.5); }
   /// p is between 1/2 and 3/2.
-  static void weigh(double p, double, double (&weight)[3], double (&slope)[3]) {
-    const double below = 1.5 - p, middle = p - 1, above = p - 0.5;
-    weight[0] = 0.5 * below * below;
-    weight[1] = 0.75 - middle * middle;
-    weight[2] = 0.5 * above * above;
+  static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {
+    const Real below = Real(1.5) - p, middle = p - 1, above = p - Real(0.5);
+    weight[0] = below * below / 2;
+    weight[1] = Real(0.75) - middle * middle;
+    weight[2] = above * above / 2;
     slope[0] = -below;
     slope[1] = -2 * middle;
     slope[2] = above;

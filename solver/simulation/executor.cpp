@@ -60,16 +60,13 @@ Executor::Executor(const Model& model, int threads, Filling filling)
   lightest_particle_ = lightest_particle(bodies_);
   accounts_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
               !model.outputs.reactions.empty();
-  const auto window = static_cast<std::size_t>(quantities(transfer_kind_.node_vectors, axes_) *
-                                               transfer_.window_copies * transfer_.layout.window_nodes);
   for (int thread = 0; thread < threads; ++thread) {
-    scratch_.push_back(std::make_unique<Scratch>());
-    windows_.emplace_back(window, 0.0);
-    scratch_.back()->window = windows_.back().data();
-    stencils_.emplace_back(static_cast<std::size_t>(transfer_.stencil_doubles), 0.0);
-    scratch_.back()->stencils = stencils_.back().data();
-    levers_.emplace_back(transfer_kind_.affine ? static_cast<std::size_t>(axes_) : 0);
-    scratch_.back()->levers = levers_.back().data();
+    auto scratch = std::make_unique<TransferScratch<double>>();
+    scratch->prepare(
+        static_cast<std::size_t>(quantities(transfer_kind_.node_vectors, axes_) * transfer_.window_size()),
+        static_cast<std::size_t>(transfer_.stencil_size),
+        transfer_kind_.affine ? static_cast<std::size_t>(axes_) : 0);
+    scratch_.push_back(std::move(scratch));
   }
 }
 
@@ -156,9 +153,7 @@ void Executor::run(std::span<const Pass> passes) {
 void Executor::run_tile(std::size_t index, const Sweep& sweep, Scratch& scratch) {
   const Tile& tile = tiles_.tiles()[index];
   if (tile.window < 0) return;
-  if (sweep.mask) {
-    transfer_.load_window(scratch.window, tiles_.nodes_around(tile), sweep.mask);
-  }
+  if (sweep.mask) transfer_.load_window(scratch, tiles_.nodes_around(tile), sweep.mask);
   const int window_nodes = transfer_.layout.window_nodes;
   double* sums = tiles_.sums(index) + sweep.first_sum * window_nodes;
   std::fill(sums, sums + sweep.sums * window_nodes, 0.0);

@@ -133,11 +133,9 @@ class Executor {
   Sweeps sweeps_;
   SweepConstants sweep_;
   StepTimes times_;
-  std::vector<Pass> noted_;                         ///< passes over particles that are still to be run
-  std::vector<std::unique_ptr<Scratch>> scratch_;   ///< by thread
-  std::vector<NodeSums> collected_;                 ///< by thread or by tile
-  std::vector<AlignedDoubles> windows_, stencils_;  ///< by thread
-  std::vector<std::vector<Levers>> levers_;         ///< by thread
+  std::vector<Pass> noted_;                        ///< passes over particles that are still to be run
+  std::vector<std::unique_ptr<Scratch>> scratch_;  ///< by thread
+  std::vector<NodeSums> collected_;                ///< by thread or by tile
   std::vector<std::size_t> shares_;
   std::vector<Totals> tile_totals_;
   Account account_;

@@ -111,9 +111,8 @@ std::vector<Riders*> Executor::riders() {
 }
 
 std::size_t Executor::memory() const {
-  std::size_t bytes = tiles_.memory() + scratch_.size() * sizeof(Scratch) + collected_.size() * sizeof(NodeSums);
-  for (const auto* arrays : {&windows_, &stencils_})
-    for (const AlignedDoubles& array : *arrays) bytes += array.capacity() * sizeof(double);
+  std::size_t bytes = tiles_.memory() + collected_.size() * sizeof(NodeSums);
+  for (const auto& scratch : scratch_) bytes += scratch->memory();
   for (const BodyParticles& body : bodies_) {
     bytes += body.number.capacity() * sizeof(std::uint32_t);
     for (const std::vector<double>& array : body.arrays) bytes += array.capacity() * sizeof(double);

@@ -11,7 +11,7 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 struct LeverSlopes {
-  static const BlockArray* along(const Scratch& s, int axis) { return s.levers[axis].lever; }
+  static const RealArray* along(const RealScratch& s, int axis) { return s.levers[axis].lever; }
 };
 
 /// Levers add up to zero and, times the distances of the nodes, to one. So do slopes, which they become where a
@@ -20,20 +20,20 @@ struct LeverSlopes {
 /// momentum of it.
 template <int Nodes>
 inline void find_levers_along(Block& block, int axis) {
-  Scratch& s = *block.scratch;
-  Levers& out = s.levers[axis];
-  const double* place = s.place[axis].data();
+  RealScratch& s = scratch_of(block);
+  Levers<Real>& out = s.levers[axis];
+  const Real* place = s.place[axis].data();
 #pragma GCC ivdep
   for (int i = 0; i < block.count; ++i) {
-    double lever[Nodes], inertia = 0, sum = 0;
+    Real lever[Nodes], inertia = 0, sum = 0;
     for (int n = 0; n < Nodes; ++n) {
-      const double distance = n - place[i];
+      const Real distance = Real(n) - place[i];
       lever[n] = s.weight[axis][n][i] * distance;
       inertia += lever[n] * distance;
     }
     // A thousand roundings of the weights.
     const bool some = inertia > 1e-12;
-    const double inverse = 1 / (some ? inertia : 1);
+    const Real inverse = 1 / (some ? inertia : 1);
     for (int n = 0; n < Nodes; ++n) {
       lever[n] = some ? lever[n] * inverse : s.slope[axis][n][i];
       sum += lever[n];
@@ -49,17 +49,18 @@ inline void find_levers(Block& block) {
 }
 
 /// A component of the matrix that particles carry.
-__attribute__((always_inline)) inline double* affine(const Block& block, int a, int b) {
-  return block[static_cast<Attribute>(static_cast<int>(Attribute::affine_xx) + 3 * a + b)];
+__attribute__((always_inline)) inline Real* affine(const Block& block, int a, int b) {
+  return component_of(block, Attribute::affine_xx, 3 * a + b);
 }
 
 /// The gradient of velocities that vary linearly becomes B = gradient D.
 template <int D>
 inline void begin_affine(Block& block) {
-  const double square = block.sweep->cell * block.sweep->cell;
+  const Real square = Real(block.sweep->cell * block.sweep->cell);
   for (int a = 0; a < D; ++a)
     for (int b = 0; b < D; ++b)
-      for (int i = 0; i < block.count; ++i) affine(block, a, b)[i] *= square * block.scratch->levers[b].inertia[i];
+      for (int i = 0; i < block.count; ++i)
+        affine(block, a, b)[i] *= square * scratch_of(block).levers[b].inertia[i];
 }
 
 template <class Stencil, Layout L>
@@ -68,7 +69,7 @@ inline void scatter_affine(Block& block) {
   using Row = typename Stencil::Row;
   scatter<Stencil, L, D>(
       block, quantity(sum_momentum, 0, D), [&](int i) __attribute__((always_inline)) {
-        const double mass_per_cell = block.mass(i) * block.sweep->inverse_cell;
+        const Real mass_per_cell = Real(block.mass(i) * block.sweep->inverse_cell);
         return [&, i, mass_per_cell ](Row, const Row* lever, Row* sums) __attribute__((always_inline)) {
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a)
@@ -78,15 +79,15 @@ inline void scatter_affine(Block& block) {
       });
 }
 
-/// What B is of a vector of the nodes goes to scratch.gradient, per the cell size and D; the vector to `out`.
+/// What B is of a vector of the nodes goes to the levers, per the cell size and D; the vector to `out`.
 template <class Stencil, Layout L>
-__attribute__((always_inline)) inline void gather_moments(Block& block, NodeVector vector, BlockArray* out) {
+__attribute__((always_inline)) inline void gather_moments(Block& block, NodeVector vector, RealArray* out) {
   constexpr int D = L.dimensions;
-  BlockArray* moments = block.scratch->gradient;
+  std::vector<Levers<Real>>& levers = scratch_of(block).levers;
   gather<Stencil, L>(
-      block, vector, [=](int i, int a, const auto& sums) __attribute__((always_inline)) {
+      block, vector, [&](int i, int a, const auto& sums) __attribute__((always_inline)) {
         store(out[a].values + i, sums[0]);
-        for (int b = 0; b < D; ++b) store(moments[a * D + b].values + i, sums[1 + b]);
+        for (int b = 0; b < D; ++b) store(levers[b].moment[a].values + i, sums[1 + b]);
       });
 }
 
@@ -94,12 +95,12 @@ __attribute__((always_inline)) inline void gather_moments(Block& block, NodeVect
 template <class Stencil, Layout L>
 inline void gather_affine(Block& block) {
   constexpr int D = L.dimensions;
-  const Scratch& s = *block.scratch;
-  const double cell = block.sweep->cell;
-  gather_moments<Stencil, L>(block, node_velocity, block.scratch->velocity);
+  const RealScratch& s = scratch_of(block);
+  const Real cell = Real(block.sweep->cell);
+  gather_moments<Stencil, L>(block, node_velocity, scratch_of(block).velocity);
   for (int ab = 0; ab < D * D; ++ab) {
-    double* b = affine(block, ab / D, ab % D);
-    const double *moment = s.gradient[ab].values, *inertia = s.levers[ab % D].inertia.values;
+    Real* b = affine(block, ab / D, ab % D);
+    const Real *moment = s.levers[ab % D].moment[ab / D].values, *inertia = s.levers[ab % D].inertia.values;
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) b[i] = cell * inertia[i] * moment[i];
   }
@@ -109,12 +110,12 @@ inline void gather_affine(Block& block) {
 template <class Stencil, Layout L>
 inline void kick_affine(Block& block) {
   constexpr int D = L.dimensions;
-  const Scratch& s = *block.scratch;
-  const double cell = block.sweep->cell, dt = block.sweep->kick;
-  gather_moments<Stencil, L>(block, node_acceleration, block.scratch->acceleration);
+  const RealScratch& s = scratch_of(block);
+  const Real cell = Real(block.sweep->cell), dt = Real(block.sweep->kick);
+  gather_moments<Stencil, L>(block, node_acceleration, scratch_of(block).acceleration);
   for (int ab = 0; ab < D * D; ++ab) {
-    double* b = affine(block, ab / D, ab % D);
-    const double *moment = s.gradient[ab].values, *inertia = s.levers[ab % D].inertia.values;
+    Real* b = affine(block, ab / D, ab % D);
+    const Real *moment = s.levers[ab % D].moment[ab / D].values, *inertia = s.levers[ab % D].inertia.values;
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) b[i] += dt * (cell * inertia[i] * moment[i]);
   }

@@ -7,7 +7,7 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Doubles of one particle's table.
+/// Numbers of one particle's table.
 constexpr int corner_table(int axes) { return (1 + axes) << 2 * axes; }
 
 template <Layout L>
@@ -15,8 +15,8 @@ struct CornerStencil {
   static constexpr int D = L.dimensions, rows = 1 << 2 * (L.dimensions - 1);
   using Row = Four;
 
-  __attribute__((always_inline)) CornerStencil(const Scratch& s, int i)
-      : table(s.stencils + i * corner_table(D)) {}
+  __attribute__((always_inline)) CornerStencil(const RealScratch& s, int i)
+      : table(s.stencils.data() + i * corner_table(D)) {}
   static constexpr int offset(int lane) { return lane; }
   __attribute__((always_inline)) static void add_row(double* to, Row row) { add(to, row); }
   template <class Function>
@@ -33,7 +33,7 @@ struct CornerStencil {
   }
 
  private:
-  const double* table;
+  const Real* table;
 };
 
 /// Half the edges of a particle's parallelepiped, in cells: x = x_p + sum of edge[b] xi_b, |xi_b| <= 1.
@@ -87,7 +87,7 @@ struct ParticleEdges {
 template <int D>
 inline void tabulate(Block& block, int i) {
   constexpr int quantity_size = 1 << 2 * D, corners = 1 << D;
-  double* table = block.scratch->stencils + i * corner_table(D);
+  Real* table = scratch_of(block).stencils.data() + i * corner_table(D);
   for (int k = 0; k < corner_table(D); ++k) table[k] = 0;
   const ParticleEdges<D> edges(block, i);
   double inverse[D][D];
@@ -96,7 +96,7 @@ inline void tabulate(Block& block, int i) {
     double place[D], gradient[D] = {};
     int first = 0;
     for (int a = 0; a < D; ++a) {
-      double at = block.scratch->place[a][i];
+      double at = scratch_of(block).place[a][i];
       for (int b = 0; b < D; ++b) {
         const double sign = c >> b & 1 ? 1.0 : -1.0;
         at += sign * edges.along[a][b];
@@ -113,8 +113,8 @@ inline void tabulate(Block& block, int i) {
         weight *= n >> a & 1 ? place[a] : 1 - place[a];
         at += (n >> a & 1) << 2 * a;
       }
-      table[at] += weight / corners;
-      for (int a = 0; a < D; ++a) table[(1 + a) * quantity_size + at] += weight * gradient[a];
+      table[at] += Real(weight / corners);
+      for (int a = 0; a < D; ++a) table[(1 + a) * quantity_size + at] += Real(weight * gradient[a]);
     }
   }
 }
@@ -127,13 +127,12 @@ inline void locate_corners(Block& block) {
 template <class Shape, Layout L>
 inline constexpr TransferKernels corner_kernels_of = [] {
   TransferKernels kernels = transfer_kernels<Shape, L, CornerStencil<L>, &locate_corners<Shape, L>>;
-  kernels.stencil_doubles = block_size * corner_table(L.dimensions);
+  kernels.stencil_size = block_size * corner_table(L.dimensions);
   return kernels;
 }();
 
 template <class Shape>
-  requires(Shape::corners)
-struct TransferChoice<Shape> {
+requires(Shape::corners) struct TransferChoice<Shape> {
   static const TransferKernels* of(Dimension dimension) {
     switch (grid_axes(dimension)) {
       case 1:

@@ -13,8 +13,8 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 template <class Stencil, Layout L, class Put>
 __attribute__((always_inline)) inline void gather(Block& block, NodeVector vector, Put&& put) {
   constexpr int D = L.dimensions;
-  const Scratch& s = *block.scratch;
-  const double* window = s.window + quantity(vector, 0, D) * L.window_nodes;
+  const RealScratch& s = scratch_of(block);
+  const Real* window = s.window.data() + quantity(vector, 0, D) * L.window_nodes;
   if constexpr (LanesOf<Stencil>::exist) {
     // Across a run's particles, so that nodes are read once for all of them and no vector's parts are to be added
     // up: with quadratic B-splines, and with what scatters gain by runs, 66 -> 44 ns per particle and step in 2D,
@@ -24,10 +24,10 @@ __attribute__((always_inline)) inline void gather(Block& block, NodeVector vecto
         block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
           for (int i = begin; i < end; i += Particles::lanes) {
             const Particles particles(s, i);
-            const double* from = hidden(window + node);
+            const Real* from = hidden(window + node);
 #pragma GCC unroll 3
             for (int a = 0; a < D; ++a) {
-              typename Particles::Lanes sums[1 + D];
+              Lanes sums[1 + D];
               particles.contract(from + a * L.window_nodes, sums);
               put(i, a, sums);
             }
@@ -45,7 +45,7 @@ __attribute__((always_inline)) inline void gather(Block& block, NodeVector vecto
         }
       });
       for (int a = 0; a < D; ++a) {
-        double of_particle[1 + D];
+        Real of_particle[1 + D];
         for (int b = 0; b <= D; ++b) of_particle[b] = sum(sums[a][b]);
         put(i, a, of_particle);
       }
@@ -55,7 +55,7 @@ __attribute__((always_inline)) inline void gather(Block& block, NodeVector vecto
 
 /// Of one vector at the particles.
 template <class Stencil, Layout L>
-__attribute__((always_inline)) inline void gather_vector(Block& block, NodeVector vector, BlockArray* out) {
+__attribute__((always_inline)) inline void gather_vector(Block& block, NodeVector vector, RealArray* out) {
   gather<Stencil, L>(
       block, vector, [out](int i, int a, const auto& sums) __attribute__((always_inline)) {
         store(out[a].values + i, sums[0]);
@@ -64,20 +64,20 @@ __attribute__((always_inline)) inline void gather_vector(Block& block, NodeVecto
 
 template <class Stencil, Layout L>
 inline void gather_acceleration(Block& block) {
-  gather_vector<Stencil, L>(block, node_acceleration, block.scratch->acceleration);
+  gather_vector<Stencil, L>(block, node_acceleration, scratch_of(block).acceleration);
 }
 
 template <class Stencil, Layout L>
 inline void gather_velocity(Block& block) {
-  gather_vector<Stencil, L>(block, node_velocity, block.scratch->velocity);
+  gather_vector<Stencil, L>(block, node_velocity, scratch_of(block).velocity);
 }
 
 /// Gradient of the velocity that is for gradients.
 template <class Stencil, Layout L>
 inline void gather_gradient(Block& block) {
   constexpr int D = L.dimensions;
-  const double per_cell = block.sweep->inverse_cell;
-  BlockArray* gradient = block.scratch->gradient;
+  const Real per_cell = Real(block.sweep->inverse_cell);
+  BlockDoubles* gradient = block.scratch->gradient;
   gather<Stencil, L>(
       block, node_mapped_velocity, [=](int i, int a, const auto& sums) __attribute__((always_inline)) {
         for (int b = 0; b < D; ++b) store(gradient[a * D + b].values + i, per_cell * sums[1 + b]);
@@ -94,7 +94,7 @@ inline void gather_motion(Block& block) {
 /// Axisymmetric: hoop strain rate of the velocity that is for gradients.
 template <class Stencil, Layout L>
 inline void gather_hoop(Block& block) {
-  BlockArray& hoop = block.scratch->gradient_rest;
+  BlockDoubles& hoop = block.scratch->gradient_rest;
   const double* radius = block[Attribute::position_x];
   gather<Stencil, L>(
       block, node_mapped_velocity, [&](int i, int a, const auto& sums) __attribute__((always_inline)) {

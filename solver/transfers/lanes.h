@@ -9,10 +9,9 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 template <int Nodes, Layout L, class Slopes = ShapeSlopes>
 struct ProductLanes {
   static constexpr int D = L.dimensions;
-  using Lanes = Four;
-  static constexpr int lanes = sizeof(Lanes) / sizeof(double);
+  static constexpr int lanes = sizeof(Lanes) / sizeof(Real);
 
-  __attribute__((always_inline)) ProductLanes(const Scratch& s, int first) {
+  __attribute__((always_inline)) ProductLanes(const RealScratch& s, int first) {
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis)
 #pragma GCC unroll 4
@@ -24,7 +23,7 @@ struct ProductLanes {
 
   /// sums[0]: of what the nodes hold from `nodes` on, times their weights; sums[1 + axis]: times slopes along it.
   template <int Axes = D>
-  __attribute__((always_inline)) void contract(const double* nodes, Lanes (&sums)[1 + Axes]) const {
+  __attribute__((always_inline)) void contract(const Real* nodes, Lanes (&sums)[1 + Axes]) const {
     constexpr int axis = Axes - 1;
 #pragma GCC unroll 4
     for (int n = 0; n < Nodes; ++n) {

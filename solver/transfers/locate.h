@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/executors/block.h"
+#include "solver/transfers/real.h"
 #include "solver/transfers/vectors.h"
 
 /// Where particles are: the first node of each one's stencil, and the shape functions there.
@@ -12,14 +12,14 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// harmless, and counted.
 template <class Shape, Layout L>
 inline void locate_along(Block& block, int axis) {
-  Scratch& s = *block.scratch;
+  RealScratch& s = scratch_of(block);
   const SweepConstants& c = *block.sweep;
   const double* x = block.component(Attribute::position_x, axis);
   const double below = 1 - 0x1p-40, lowest = block.lowest[axis], highest = block.highest[axis] + below;
   const double origin = c.origin[axis], inverse_cell = c.inverse_cell, first = block.window_first[axis];
   const double period = c.period[axis];
   const int stride = L.window_stride(axis);
-  double* place = s.place[axis].data();
+  Real* place = s.place[axis].data();
   std::int64_t left = 0;
   const auto locate_each = [&](auto in_window) __attribute__((always_inline)) {
 #pragma GCC ivdep
@@ -31,7 +31,7 @@ inline void locate_along(Block& block, int axis) {
       const double node = inside + (L.below - 1);
       const int base = Shape::first_node(node);
       s.cell[i] = (axis == 0 ? 0 : s.cell[i]) + base * stride;
-      place[i] = node - base;
+      place[i] = Real(node - base);
     }
   };
   if (period > 0)
@@ -46,16 +46,16 @@ inline void locate_along(Block& block, int axis) {
 /// (2008), interpolating on the face, and keeps the partition of unity and linear fields.
 template <int Nodes>
 inline void fold(Block& block, int axis, double lower_face, double upper_face) {
-  Scratch& s = *block.scratch;
-  const auto fold_row = [&](BlockArray * w, int i, double base) __attribute__((always_inline)) {
+  RealScratch& s = scratch_of(block);
+  const auto fold_row = [&](RealArray * w, int i, double base) __attribute__((always_inline)) {
     for (int n = 0; n + 2 < Nodes; ++n) {
-      const double beyond = base + n < lower_face ? w[n][i] : 0.0;
+      const Real beyond = base + n < lower_face ? w[n][i] : Real(0);
       w[n][i] -= beyond;
       w[n + 1][i] += 2 * beyond;
       w[n + 2][i] -= beyond;
     }
     for (int n = Nodes - 1; n >= 2; --n) {
-      const double beyond = base + n > upper_face ? w[n][i] : 0.0;
+      const Real beyond = base + n > upper_face ? w[n][i] : Real(0);
       w[n][i] -= beyond;
       w[n - 1][i] += 2 * beyond;
       w[n - 2][i] -= beyond;
@@ -78,14 +78,14 @@ inline void fold(Block& block, int axis, double lower_face, double upper_face) {
 /// Weights of the stencil's nodes along one axis.
 template <class Shape>
 inline void weigh_along(Block& block, int axis) {
-  Scratch& s = *block.scratch;
+  RealScratch& s = scratch_of(block);
   const double half_size = block.body->half_size[axis];
-  const double* place = s.place[axis].data();
+  const Real* place = s.place[axis].data();
   const double* stretch = block.component(Attribute::deformation_xx, 4 * axis);
 #pragma GCC ivdep
   for (int i = 0; i < block.count; ++i) {
-    double weight[Shape::nodes], slope[Shape::nodes];
-    Shape::weigh(place[i], Shape::needs_deformation ? half_size * stretch[i] : half_size, weight, slope);
+    Real weight[Shape::nodes], slope[Shape::nodes];
+    Shape::weigh(place[i], Real(Shape::needs_deformation ? half_size * stretch[i] : half_size), weight, slope);
     for (int n = 0; n < Shape::nodes; ++n) {
       s.weight[axis][n][i] = weight[n];
       s.slope[axis][n][i] = slope[n];

@@ -16,8 +16,8 @@ inline constexpr Layout plane_linear_layout{2, false};
 struct PlaneLinearValue {
   static constexpr int nodes = plane_linear_layout.window_nodes;
   static constexpr int copies = 4;
-  const double *base, *dx, *dy, *dxy;
-  __attribute__((always_inline)) PlaneLinearValue(const double* window, int which)
+  const Real *base, *dx, *dy, *dxy;
+  __attribute__((always_inline)) PlaneLinearValue(const Real* window, int which)
       : base(window + which * copies * nodes), dx(base + nodes), dy(dx + nodes), dxy(dy + nodes) {}
 };
 

@@ -16,7 +16,7 @@ __attribute__((always_inline)) inline void add_corners(double* sum, Four corners
 /// Shape functions of the four nodes of a cell, in the order of their indices, as products along the axes.
 struct Corners {
   Four x, y;
-  __attribute__((always_inline)) Corners(double fx, double fy)
+  __attribute__((always_inline)) Corners(Real fx, Real fy)
       : x(Four{1, 0, 1, 0} + Four{-1, 1, -1, 1} * fx), y(Four{1, 1, 0, 0} + Four{-1, -1, 1, 1} * fy) {}
 };
 
@@ -28,10 +28,11 @@ __attribute__((always_inline)) inline double* sums_of_cell(const Block& block, S
 
 /// Mass, momentum and internal force.
 inline void scatter_state_plane_linear(Block& block) {
-  Scratch& s = *block.scratch;
-  const double mass = block.body->mass;
-  const double* vx = block[Attribute::velocity_x];
-  const double* vy = block[Attribute::velocity_y];
+  RealScratch& s = scratch_of(block);
+  const Real mass = Real(block.body->mass);
+  const Real* vx = component_of(block, Attribute::velocity_x, 0);
+  const Real* vy = component_of(block, Attribute::velocity_x, 1);
+  const RealArray* force = s.force_on_nodes();
   s.trouble.runs += count_runs(block);
   for_each_run(
       block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {
@@ -44,8 +45,8 @@ inline void scatter_state_plane_linear(Block& block) {
           weight += w;
           px += w * vx[i];
           py += w * vy[i];
-          forces_x += gx * s.force[0][i] + gy * s.force[1][i];
-          forces_y += gx * s.force[2][i] + gy * s.force[3][i];
+          forces_x += gx * force[0][i] + gy * force[1][i];
+          forces_y += gx * force[2][i] + gy * force[3][i];
         }
         add_corners(block.sums + k, weight * mass);
         add_corners(sums_of_cell(block, sum_momentum, 0, k), px * mass);
@@ -56,7 +57,7 @@ inline void scatter_state_plane_linear(Block& block) {
 }
 
 inline void scatter_mass_plane_linear(Block& block) {
-  Scratch& s = *block.scratch;
+  RealScratch& s = scratch_of(block);
   for_each_run(
       block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {
         Four weight{};
@@ -64,14 +65,14 @@ inline void scatter_mass_plane_linear(Block& block) {
           const Corners n(s.place[0][i], s.place[1][i]);
           weight += n.x * n.y;
         }
-        add_corners(block.sums + k, weight * block.body->mass);
+        add_corners(block.sums + k, weight * Real(block.body->mass));
       });
 }
 
 /// A vector that particles have, times their mass.
-inline void scatter_vector_plane_linear(Block& block, SumVector vector, const double* x, const double* y) {
-  Scratch& s = *block.scratch;
-  const double mass = block.body->mass;
+inline void scatter_vector_plane_linear(Block& block, SumVector vector, const Real* x, const Real* y) {
+  RealScratch& s = scratch_of(block);
+  const Real mass = Real(block.body->mass);
   for_each_run(
       block, [&](int begin, int end, std::int64_t k) __attribute__((always_inline)) {
         Four px{}, py{};
@@ -88,10 +89,11 @@ inline void scatter_vector_plane_linear(Block& block, SumVector vector, const do
 
 /// Momentum alone, for the second mapping of MUSL.
 inline void scatter_momentum_plane_linear(Block& block) {
-  scatter_vector_plane_linear(block, sum_momentum, block[Attribute::velocity_x], block[Attribute::velocity_y]);
+  scatter_vector_plane_linear(block, sum_momentum, component_of(block, Attribute::velocity_x, 0),
+                              component_of(block, Attribute::velocity_x, 1));
 }
 inline void scatter_loads_plane_linear(Block& block) {
-  scatter_vector_plane_linear(block, sum_load, block.scratch->load[0].data(), block.scratch->load[1].data());
+  scatter_vector_plane_linear(block, sum_load, scratch_of(block).load[0].data(), scratch_of(block).load[1].data());
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "solver/executors/block.h"
-#include "solver/executors/instruction_set.h"
 #include "solver/schemes/kernels.h"
+#include "solver/transfers/real.h"
 
 /// Stages that change particles by what has been gathered for them, whatever their law.
 namespace trajan {
@@ -11,10 +10,10 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// v += dt a.
 template <int D>
 inline void kick(Block& block) {
-  const double dt = block.sweep->kick;
+  const Real dt = Real(block.sweep->kick);
   for (int axis = 0; axis < D; ++axis) {
-    double* v = block.component(Attribute::velocity_x, axis);
-    const double* a = block.scratch->acceleration[axis].data();
+    Real* v = component_of(block, Attribute::velocity_x, axis);
+    const Real* a = scratch_of(block).acceleration[axis].data();
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) v[i] += dt * a[i];
   }
@@ -23,11 +22,11 @@ inline void kick(Block& block) {
 /// A blend of FLIP, v + dt a, and PIC, the grid's velocity (Stomakhin et al. 2013).
 template <int D>
 inline void kick_and_blend(Block& block) {
-  const double dt = block.sweep->kick, flip = block.sweep->flip, pic = 1 - flip;
+  const Real dt = Real(block.sweep->kick), flip = Real(block.sweep->flip), pic = 1 - flip;
   for (int axis = 0; axis < D; ++axis) {
-    double* v = block.component(Attribute::velocity_x, axis);
-    const double* a = block.scratch->acceleration[axis].data();
-    const double* u = block.scratch->velocity[axis].data();
+    Real* v = component_of(block, Attribute::velocity_x, axis);
+    const Real* a = scratch_of(block).acceleration[axis].data();
+    const Real* u = scratch_of(block).velocity[axis].data();
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) v[i] = flip * (v[i] + dt * a[i]) + pic * u[i];
   }
@@ -37,8 +36,8 @@ inline void kick_and_blend(Block& block) {
 template <int D>
 inline void take_velocity(Block& block) {
   for (int axis = 0; axis < D; ++axis) {
-    double* v = block.component(Attribute::velocity_x, axis);
-    const double* u = block.scratch->velocity[axis].data();
+    Real* v = component_of(block, Attribute::velocity_x, axis);
+    const Real* u = scratch_of(block).velocity[axis].data();
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) v[i] = u[i];
   }
@@ -47,9 +46,9 @@ inline void take_velocity(Block& block) {
 /// Advances a vector of positions or displacements by the grid's velocity. `origin` is what it counts from,
 /// nullptr: positions themselves.
 inline void advance_along(Block& block, int axis, double* x, const double* origin) {
-  Scratch& s = *block.scratch;
+  RealScratch& s = scratch_of(block);
   const SweepConstants& c = *block.sweep;
-  const double* u = s.velocity[axis].data();
+  const Real* u = s.velocity[axis].data();
   const double drift = c.drift, cell = c.cell, lower = c.lower[axis], upper = c.upper[axis];
   std::int64_t far = 0, left = 0;
   const auto advance = [&](auto from) __attribute__((always_inline)) {
@@ -89,10 +88,10 @@ inline void displace(Block& block) {
 template <int D>
 inline void find_loads(Block& block) {
   for (int axis = 0; axis < D; ++axis) {
-    double* load = block.scratch->load[axis].data();
+    Real* load = scratch_of(block).load[axis].data();
     const double* own = block.component(Attribute::load_x, axis);
     const double common = block.body->acceleration[axis];
-    for (int i = 0; i < block.count; ++i) load[i] = common + (own ? own[i] : 0.0);
+    for (int i = 0; i < block.count; ++i) load[i] = Real(common + (own ? own[i] : 0.0));
   }
 }
 
@@ -103,7 +102,7 @@ inline void measure_motion(const Block& block, Totals& totals) {
     const double mass = block.mass(i);
     double square = 0;
     for (int axis = 0; axis < D; ++axis) {
-      const double v = block.component(Attribute::velocity_x, axis)[i];
+      const double v = component_of(block, Attribute::velocity_x, axis)[i];
       sums[axis] += mass * v;
       square += v * v;
     }

@@ -11,12 +11,12 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 template <class Stencil, Layout L>
 inline void gather_projected(Block& block) {
-  gather_vector<Stencil, L>(block, node_projected_velocity, block.scratch->velocity);
+  gather_vector<Stencil, L>(block, node_projected_velocity, scratch_of(block).velocity);
 }
 
 template <class Stencil, Layout L>
 inline void remap(Block& block) {
-  BlockArray* at_particles = block.scratch->velocity;
+  RealArray* at_particles = scratch_of(block).velocity;
   gather_vector<Stencil, L>(block, node_remainder, at_particles);
   scatter_vector<Stencil, L>(
       block,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/executors/block.h"
+#include "solver/transfers/real.h"
 #include "solver/transfers/vectors.h"
 
 namespace trajan {

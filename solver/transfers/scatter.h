@@ -13,7 +13,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 template <class Stencil, Layout L, int Quantities, class Give>
 __attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give) {
   using Row = typename Stencil::Row;
-  const Scratch& s = *block.scratch;
+  const RealScratch& s = scratch_of(block);
   double* sums = block.sums + first * L.window_nodes;
   for_each_run(
       block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
@@ -39,18 +39,19 @@ template <class Stencil, Layout L>
 inline void scatter_state(Block& block) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
-  Scratch& s = *block.scratch;
+  RealScratch& s = scratch_of(block);
+  const RealArray* force = s.force_on_nodes();
   s.trouble.runs += count_runs(block);
   scatter<Stencil, L, quantities(2, D)>(
       block, quantity_mass, [&](int i) __attribute__((always_inline)) {
         return [&, i ](Row w, const Row* slope, Row* sums) __attribute__((always_inline)) {
-          const Row m = w * block.mass(i);
+          const Row m = w * Real(block.mass(i));
           sums[quantity_mass] += m;
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) {
-            sums[quantity(sum_momentum, a, D)] += m * block.component(Attribute::velocity_x, a)[i];
+            sums[quantity(sum_momentum, a, D)] += m * component_of(block, Attribute::velocity_x, a)[i];
 #pragma GCC unroll 3
-            for (int b = 0; b < D; ++b) sums[quantity(sum_force, a, D)] -= slope[b] * s.force[a * D + b][i];
+            for (int b = 0; b < D; ++b) sums[quantity(sum_force, a, D)] -= slope[b] * force[a * D + b][i];
           }
         };
       });
@@ -62,7 +63,7 @@ inline void scatter_mass(Block& block) {
   scatter<Stencil, L, 1>(
       block, quantity_mass, [&](int i) __attribute__((always_inline)) {
         return [&, i ](Row w, const Row*, Row* sums) __attribute__((always_inline)) {
-          *sums += w * block.mass(i);
+          *sums += w * Real(block.mass(i));
         };
       });
 }
@@ -75,7 +76,7 @@ __attribute__((always_inline)) inline void scatter_vector(Block& block, SumVecto
   scatter<Stencil, L, D>(
       block, quantity(vector, 0, D), [&](int i) __attribute__((always_inline)) {
         return [&, i ](Row w, const Row*, Row* sums) __attribute__((always_inline)) {
-          const Row m = w * block.mass(i);
+          const Row m = w * Real(block.mass(i));
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) sums[a] += m * value(a, i);
         };
@@ -87,7 +88,7 @@ template <class Stencil, Layout L>
 inline void scatter_momentum(Block& block) {
   scatter_vector<Stencil, L>(
       block, sum_momentum, [&](int a, int i) __attribute__((always_inline)) {
-        return block.component(Attribute::velocity_x, a)[i];
+        return component_of(block, Attribute::velocity_x, a)[i];
       });
 }
 
@@ -95,7 +96,7 @@ inline void scatter_momentum(Block& block) {
 template <class Stencil, Layout L>
 inline void scatter_loads(Block& block) {
   scatter_vector<Stencil, L>(
-      block, sum_load, [&](int a, int i) __attribute__((always_inline)) { return block.scratch->load[a][i]; });
+      block, sum_load, [&](int a, int i) __attribute__((always_inline)) { return scratch_of(block).load[a][i]; });
 }
 
 /// Axisymmetric: the hoop stress pulls towards the axis, with volume times stress over radius per radian
@@ -103,11 +104,11 @@ inline void scatter_loads(Block& block) {
 template <class Stencil, Layout L>
 inline void scatter_hoop(Block& block) {
   using Row = typename Stencil::Row;
-  Scratch& s = *block.scratch;
+  RealScratch& s = scratch_of(block);
   const double* radius = block[Attribute::position_x];
   scatter<Stencil, L, 1>(
       block, quantity(sum_force, 0, L.dimensions), [&](int i) __attribute__((always_inline)) {
-        const double force = s.virial_rest[i] / radius[i];
+        const Real force = Real(s.virial_rest[i] / radius[i]);
         return [force](Row w, const Row*, Row* sums) __attribute__((always_inline)) { *sums -= w * force; };
       });
 }

@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "solver/executors/block.h"
+#include "solver/transfers/real.h"
 #include "solver/transfers/vectors.h"
 
 namespace trajan {
@@ -10,7 +10,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// Where a stencil finds the factors of its slopes.
 struct ShapeSlopes {
-  static const BlockArray* along(const Scratch& s, int axis) { return s.slope[axis]; }
+  static const RealArray* along(const RealScratch& s, int axis) { return s.slope[axis]; }
 };
 
 /// The shape functions of one particle that are products along the axes, a row of nodes along x at a time.
@@ -21,7 +21,7 @@ struct ProductStencil {
   static constexpr int rows = D == 1 ? 1 : D == 2 ? Nodes : Nodes * Nodes;
   using Row = Four;
 
-  __attribute__((always_inline)) ProductStencil(const Scratch& s, int i) : scratch(s), particle(i) {
+  __attribute__((always_inline)) ProductStencil(const RealScratch& s, int i) : scratch(s), particle(i) {
     weight_x = row(s.weight[0]);
     slope_x = row(Slopes::along(s, 0));
   }
@@ -39,19 +39,18 @@ struct ProductStencil {
     } else if constexpr (D == 2) {
 #pragma GCC unroll 4
       for (int j = 0; j < Nodes; ++j) {
-        const double w = scratch.weight[1][j].values[particle];
+        const Real w = scratch.weight[1][j].values[particle];
         const Row slopes[2] = {slope_x * w, weight_x * Slopes::along(scratch, 1)[j].values[particle]};
         of(j * L.window_stride(1), weight_x * w, slopes);
       }
     } else {
 #pragma GCC unroll 4
       for (int k = 0; k < Nodes; ++k) {
-        const double wz = scratch.weight[2][k].values[particle],
-                     dz = Slopes::along(scratch, 2)[k].values[particle];
+        const Real wz = scratch.weight[2][k].values[particle], dz = Slopes::along(scratch, 2)[k].values[particle];
 #pragma GCC unroll 4
         for (int j = 0; j < Nodes; ++j) {
-          const double wy = scratch.weight[1][j].values[particle],
-                       dy = Slopes::along(scratch, 1)[j].values[particle];
+          const Real wy = scratch.weight[1][j].values[particle],
+                     dy = Slopes::along(scratch, 1)[j].values[particle];
           const Row slopes[3] = {slope_x * (wy * wz), weight_x * (dy * wz), weight_x * (wy * dz)};
           of(j * L.window_stride(1) + k * L.window_stride(2), weight_x * (wy * wz), slopes);
         }
@@ -60,13 +59,13 @@ struct ProductStencil {
   }
 
  private:
-  __attribute__((always_inline)) Row row(const BlockArray* values) const {
+  __attribute__((always_inline)) Row row(const RealArray* values) const {
     Row r{};
     for (int n = 0; n < Nodes; ++n) r[n] = values[n].values[particle];
     return r;
   }
 
-  const Scratch& scratch;
+  const RealScratch& scratch;
   int particle;
   Row weight_x, slope_x;
 };
@@ -77,10 +76,10 @@ struct ProductStencil<2, L, Slopes> {
   static constexpr int D = L.dimensions, rows = 1;
   using Row = std::conditional_t<D == 1, Pair, std::conditional_t<D == 2, Four, Eight>>;
 
-  __attribute__((always_inline)) ProductStencil(const Scratch& s, int i) {
+  __attribute__((always_inline)) ProductStencil(const RealScratch& s, int i) {
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) {
-      const double place = s.place[axis].values[i];
+      const Real place = s.place[axis].values[i];
       factor[axis] = along(axis, 1 - place, place);
       if constexpr (std::is_same_v<Slopes, ShapeSlopes>)
         slope[axis] = along(axis, -1, 1);
@@ -116,7 +115,7 @@ struct ProductStencil<2, L, Slopes> {
 
  private:
   /// One value for the lower corners along an axis, one for the upper ones.
-  __attribute__((always_inline)) static Row along(int axis, double lower, double upper) {
+  __attribute__((always_inline)) static Row along(int axis, Real lower, Real upper) {
     Row row;
 #pragma GCC unroll 8
     for (int lane = 0; lane < 1 << D; ++lane) row[lane] = lane >> axis & 1 ? upper : lower;

@@ -1,37 +1,60 @@
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+
 #include "solver/executors/instruction_set.h"
 
-/// Short vectors of doubles.
+/// Short vectors of numbers.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-typedef double Pair __attribute__((vector_size(16)));
-typedef double Four __attribute__((vector_size(32)));
-typedef double Eight __attribute__((vector_size(64)));
+typedef Real Pair __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
+/// As many as are handled at once.
+typedef Real Lanes __attribute__((vector_size(32)));
 
-template <class Vector>
-__attribute__((always_inline)) inline Vector load(const double* from) {
+/// So many numbers.
+template <class Number, std::size_t count>
+struct VectorOf {
+  typedef Number Type __attribute__((vector_size(count * sizeof(Number))));
+};
+
+template <class Number, class Value>
+__attribute__((always_inline)) inline auto converted(Value value) {
+  if constexpr (std::is_arithmetic_v<Value>) {
+    return static_cast<Number>(value);
+  } else {
+    constexpr std::size_t count = sizeof value / sizeof value[0];
+    return __builtin_convertvector(value, typename VectorOf<Number, count>::Type);
+  }
+}
+template <class Vector, class Number>
+__attribute__((always_inline)) inline Vector load(const Number* from) {
   Vector value;
   __builtin_memcpy(&value, from, sizeof value);
   return value;
 }
-template <class Vector>
-__attribute__((always_inline)) inline void store(double* to, Vector value) {
-  __builtin_memcpy(to, &value, sizeof value);
+/// Of numbers of any type, scalars too, which become those of the array.
+template <class Number, class Value>
+__attribute__((always_inline)) inline void store(Number* to, Value value) {
+  const auto as_number = converted<Number>(value);
+  __builtin_memcpy(to, &as_number, sizeof as_number);
 }
-template <class Vector>
-__attribute__((always_inline)) inline void add(double* to, Vector value) {
-  store(to, load<Vector>(to) + value);
+template <class Number, class Value>
+__attribute__((always_inline)) inline void add(Number* to, Value value) {
+  const auto as_number = converted<Number>(value);
+  store(to, load<std::remove_const_t<decltype(as_number)>>(to) + as_number);
 }
 /// A pointer of which the compiler forgets where it comes from: it would keep the addresses of all that is read by
 /// it in registers that there are not.
-__attribute__((always_inline)) inline const double* hidden(const double* p) {
+__attribute__((always_inline)) inline const Real* hidden(const Real* p) {
   asm("" : "+r"(p));
   return p;
 }
-__attribute__((always_inline)) inline double sum(Pair v) { return v[0] + v[1]; }
-__attribute__((always_inline)) inline double sum(Four v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+__attribute__((always_inline)) inline Real sum(Pair v) { return v[0] + v[1]; }
+__attribute__((always_inline)) inline Real sum(Four v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan

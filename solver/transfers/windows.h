@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/executors/tiles.h"
+#include "solver/transfers/real.h"
 #include "solver/transfers/vectors.h"
 
 /// Between tiles and windows. Sums are taken over the tiles around in a fixed order, so that their bits do
@@ -20,7 +21,7 @@ struct Overlap {
 
 /// A tile's nodes along x.
 template <Layout L>
-using TileRow = std::conditional_t<L.dimensions == 2, Eight, Four>;
+using TileRow = typename VectorOf<double, static_cast<std::size_t>(L.side)>::Type;
 
 /// What a row of nodes gets of the windows of its tile (`middle`) and of those to the left and right; each points
 /// at the window's row.
@@ -79,11 +80,12 @@ struct RowOfTile {
 
 /// Copies what a tile and its neighbours hold into a window. `mask`: bits of the quantities.
 template <Layout L>
-inline void load_window(double* window, const Neighbours& nodes, unsigned mask) {
+inline void load_window(Scratch& scratch, const Neighbours& nodes, unsigned mask) {
+  Real* window = static_cast<RealScratch&>(scratch).window.data();
   constexpr int D = L.dimensions, side = L.side;
   for (int q = 0; mask >> q; ++q) {
     if (!(mask >> q & 1u)) continue;
-    double* to = window + q * L.window_nodes;
+    Real* to = window + q * L.window_nodes;
     for (int k = 0; k < (D > 2 ? L.window_side : 1); ++k)
       for (int j = 0; j < (D > 1 ? L.window_side : 1); ++j, to += L.window_side) {
         const RowOfTile y(L, j), z(L, k);
@@ -91,9 +93,9 @@ inline void load_window(double* window, const Neighbours& nodes, unsigned mask) 
         int at = q * tile_nodes;
         if constexpr (D > 1) at += y.row * L.tile_stride(1);
         if constexpr (D > 2) at += z.row * L.tile_stride(2);
-        for (int i = 0; i < L.below; ++i) to[i] = from[0][at + side - L.below + i];
-        for (int i = 0; i < side; ++i) to[L.below + i] = from[1][at + i];
-        for (int i = 0; i < L.above; ++i) to[L.below + side + i] = from[2][at + i];
+        for (int i = 0; i < L.below; ++i) to[i] = Real(from[0][at + side - L.below + i]);
+        for (int i = 0; i < side; ++i) to[L.below + i] = Real(from[1][at + i]);
+        for (int i = 0; i < L.above; ++i) to[L.below + side + i] = Real(from[2][at + i]);
       }
   }
 }

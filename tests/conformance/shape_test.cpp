@@ -50,13 +50,9 @@ class TileOfParticles {
     }
     fill();
     scratch.cell[0] = 0;
-    window.assign(
-        static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.window_copies * layout.window_nodes),
-        0.0);
-    stencils.assign(static_cast<std::size_t>(kernels.stencil_doubles), 0.0);
+    scratch.prepare(static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.window_size()),
+                    static_cast<std::size_t>(kernels.stencil_size), 0);
     sums.assign(static_cast<std::size_t>(quantities(sum_vectors, axes) * layout.window_nodes), 0.0);
-    scratch.window = window.data();
-    scratch.stencils = stencils.data();
     block.count = count;
     block.body = &body;
     block.sweep = &sweep;
@@ -94,7 +90,7 @@ class TileOfParticles {
       }
       around[n] = values.data();
     }
-    kernels.load_window(scratch.window, around, ~0u >> (32 - quantities(node_vectors, axes)));
+    kernels.load_window(scratch, around, ~0u >> (32 - quantities(node_vectors, axes)));
   }
 
   int axes;
@@ -102,9 +98,9 @@ class TileOfParticles {
   int tile_at[3] = {};
   SweepConstants sweep;
   BodyConstants body;
-  Scratch scratch;
+  TransferScratch<double> scratch;
   Block block;
-  AlignedDoubles window, stencils, sums;
+  AlignedDoubles sums;
   std::vector<std::vector<double>> arrays;
 
  private:
