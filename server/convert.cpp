@@ -47,6 +47,7 @@ Numerics to_numerics(const v1::Numerics& message) {
   if (message.has_time_step()) numerics.time_step = message.time_step();
   if (message.has_threads()) numerics.threads = message.threads();
   if (!message.locking_remedy().empty()) numerics.locking_remedy = message.locking_remedy();
+  if (!message.precision().empty()) numerics.precision = message.precision();
   return numerics;
 }
 

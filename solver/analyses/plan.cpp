@@ -71,7 +71,7 @@ bool solves_for_displacements(const Model& model) {
 std::int64_t memory_of_matrices(const Model& model, const Body& body, double active_cells) {
   constexpr double matrices = 6, bytes_per_entry = sizeof(double) + sizeof(int);
   const int axes = grid_axes(model.dimension), degree = polynomial_degree(model.numerics.shape_functions);
-  const bool wide = kernels().transfer(model.numerics.shape_functions, model.dimension)->layout.wide;
+  const bool wide = kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->layout.wide;
   const double reach = degree == 3 ? 4 : wide ? 3 : 2;
   const double lengths[] = {static_cast<double>(body.lattice.columns) * body.lattice.spacing.x,
                             static_cast<double>(body.lattice.rows) * body.lattice.spacing.y,

@@ -37,10 +37,10 @@ void plan_particles(const Model& model, const Executor& executor, ModelPlan& pla
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyParticles& body = executor.bodies()[b];
     std::int64_t bytes = sizeof(std::uint32_t);
-    for (int a = 0; a < attribute_count; ++a)
-      if (body.carries(static_cast<Attribute>(a))) bytes += sizeof(double);
+    const auto size = [&body](Attribute a) { return body.is_float(a) ? sizeof(float) : sizeof(double); };
+    for (Attribute a : body.present) bytes += static_cast<std::int64_t>(size(a));
     for (const AttributeNeed& need : body.needs)
-      want(plan.attributes, std::string(attribute_name(need.attribute)), sizeof(double), need.wanted_by);
+      want(plan.attributes, std::string(attribute_name(need.attribute)), size(need.attribute), need.wanted_by);
     plan.particle_bytes += bytes * model.bodies[b].particles;
   }
   want(plan.attributes, "number", sizeof(std::uint32_t), "outputs");

@@ -16,11 +16,11 @@ using Matrix = std::array<Components, 3>;
 /// The deformation gradient of a particle; of axes that the grid lacks it is 1.
 Matrix deformation_of(int axes, const BodyParticles& body, std::uint32_t i) {
   Matrix gradient{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  if (body[Attribute::deformation_xx].empty()) return gradient;
+  if (!body.has(Attribute::deformation_xx)) return gradient;
   for (int a = 0; a < axes; ++a)
     for (int b = 0; b < axes; ++b)
       gradient[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
-          body.component(Attribute::deformation_xx, 3 * a + b)[i];
+          body.value(Attribute::deformation_xx, 3 * a + b, i);
   return gradient;
 }
 

@@ -32,6 +32,7 @@ struct SweepConstants {
   double kick = 0;                      ///< time by which velocities advance
   double drift = 0;                     ///< time by which positions advance
   double flip = 1;
+  std::int64_t step = 0;  ///< what rounding to floats is told apart by
 };
 
 /// Up to block_size particles of one body in one tile.

@@ -32,6 +32,16 @@ bool is_explicit(const Model& model) {
   return std::holds_alternative<ExplicitDynamics>(model.analysis) ||
          std::holds_alternative<Relaxation>(model.analysis);
 }
+/// Whether what particles bring to the grid is within the range of floats, small parts of it too.
+bool fits_floats(const Model& model) {
+  const auto fits = [](double value) { return value > 1e-28 && value < 1e35; };
+  return std::ranges::all_of(model.bodies, [&](const Body& body) {
+    const Material& material = model.materials[body.material];
+    const double mass = material.density * body.particle_volume;
+    const double speed = material.kind->wave_speed(material.parameters, material.density, model.dimension);
+    return fits(mass) && fits(speed) && fits(mass * speed * speed / model.grid.cell);
+  });
+}
 bool is_odd(std::int64_t cells) { return cells % 2 == 1; }
 
 constexpr Exclusion exclusions[] = {
@@ -70,6 +80,13 @@ constexpr Exclusion exclusions[] = {
      "leave it out, or choose \"linear\", \"bernstein\" or a B-spline"},
     {[](const Model& m) { return shares_volume(m) && is_thin(m); }, "numerics.locking_remedy",
      "where the thickness is free nothing holds the volume, and nothing locks", "leave it out"},
+    {[](const Model& m) { return m.numerics.precision == float_precision && !is_explicit(m); },
+     "numerics.precision", "implicit steps and modes solve equations, which need doubles",
+     "leave it out, or choose an analysis by explicit steps, for example explicit_dynamics"},
+    {[](const Model& m) { return m.numerics.precision == float_precision && !fits_floats(m); },
+     "numerics.precision",
+     "there are no floats as small or as large as this scene's masses, wave speeds or forces",
+     "leave it out, or give the scene in other units"},
 };
 
 /// Whether a place is within a rigid body, or on it but for this much.

@@ -32,6 +32,9 @@ void Validator::check_numerics() {
   const std::vector<std::string> remedies = {"none", "mean_dilatation"};
   if (std::ranges::find(remedies, numerics.locking_remedy) == remedies.end())
     unknown_name("numerics.locking_remedy", numerics.locking_remedy, "locking remedy", remedies);
+  const std::vector<std::string> precisions = {"DOUBLE", std::string(float_precision)};
+  if (std::ranges::find(precisions, numerics.precision) == precisions.end())
+    unknown_name("numerics.precision", numerics.precision, "precision", precisions);
   if (!(numerics.time_step_fraction > 0 && numerics.time_step_fraction <= 1)) {
     violations_.add("numerics.time_step_fraction", number_text(numerics.time_step_fraction), "out of range",
                     "give a value greater than 0 and at most 1");

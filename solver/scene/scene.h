@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -77,7 +78,9 @@ struct Numerics {
   std::optional<double> time_step;
   std::optional<std::int32_t> threads;
   std::string locking_remedy = "none";
+  std::string precision = "DOUBLE";
 };
+inline constexpr std::string_view float_precision = "FLOAT";  ///< what else the precision may be
 
 struct Scene {
   std::string name;

@@ -2,14 +2,18 @@
 #include "solver/schemes/kernels.h"
 
 #include "solver/materials/law_names.h"
-#include "solver/shapes/transfers.h"
-#include "solver/transfers/node_updates.h"
-#include "solver/transfers/pointwise.h"
 
 #define TRAJAN_TEXT_OF(name) #name
 #define TRAJAN_TEXT(name) TRAJAN_TEXT_OF(name)
+#define TRAJAN_FLOAT_OF(name) name##_float
+#define TRAJAN_FLOAT(name) TRAJAN_FLOAT_OF(name)
 
 namespace trajan {
+
+namespace TRAJAN_FLOAT(TRAJAN_INSTRUCTION_SET) {
+  extern const GridKernels compiled_grid_kernels;
+}
+
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 // One translation unit for each law.
@@ -27,24 +31,12 @@ const LawKernels* law(std::string_view name, Dimension dimension, bool total_lag
   return nullptr;
 }
 
-const TransferKernels* transfer(std::string_view name, Dimension dimension) {
-#define TRAJAN_CHOOSE(Shape, transfer_of) \
-  if (name == Shape) return transfer_of(dimension);
-  TRAJAN_FOR_EACH_SHAPE(TRAJAN_CHOOSE)
-#undef TRAJAN_CHOOSE
-  return nullptr;
-}
-
-template <int D>
-constexpr MotionKernels motion{&find_loads<D>,   &kick<D>,           &kick_and_blend<D>, &move<D>,
-                               &displace<D>,     &measure_motion<D>, &account<D>,        &calm_light_nodes<D>,
-                               &take_velocity<D>};
-
 }  // namespace
 
+extern const GridKernels compiled_grid_kernels;
 extern const Kernels compiled_kernels;
-const Kernels compiled_kernels{
-    TRAJAN_TEXT(TRAJAN_INSTRUCTION_SET), {motion<1>, motion<2>, motion<3>}, &transfer, &law};
+const Kernels compiled_kernels{TRAJAN_TEXT(TRAJAN_INSTRUCTION_SET), compiled_grid_kernels,
+                               TRAJAN_FLOAT(TRAJAN_INSTRUCTION_SET)::compiled_grid_kernels, &law};
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan

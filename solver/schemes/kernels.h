@@ -100,6 +100,17 @@ struct TransferKernels {
   int window_size() const { return window_copies * layout.window_nodes; }
 };
 
+/// Between particles that are floats and laws, which know doubles alone. None where particles are doubles.
+struct LawExchangeKernels {
+  Stage widen_state = nullptr;   ///< what particles carry for the law, before it
+  Stage narrow_state = nullptr;  ///< the same after it
+  Stage narrow_force = nullptr;  ///< what the law has given for the nodes
+
+  void widen(Block& block) const {
+    if (widen_state) widen_state(block);
+  }
+};
+
 /// What depends on the dimension alone.
 struct MotionKernels {
   Stage find_loads, kick, kick_and_blend, move, displace;
@@ -107,15 +118,24 @@ struct MotionKernels {
   void (*account)(NodeBlock&);
   void (*calm_light_nodes)(NodeBlock&);
   Stage take_velocity;  ///< that which has been gathered
+  LawExchangeKernels law_exchange;
+};
+
+/// What depends on the number type of what particles do on the grid.
+struct GridKernels {
+  MotionKernels motion[3];  ///< by grid axes, less one
+  /// nullptr: there are no shape functions of that name.
+  const TransferKernels* (*transfer)(std::string_view shape_functions, Dimension dimension);
 };
 
 /// Everything whose speed depends on the instruction set.
 struct Kernels {
   const char* instruction_set;
-  MotionKernels motion[3];  ///< by grid axes, less one
-  /// nullptr: there are no shape functions of that name.
-  const TransferKernels* (*transfer)(std::string_view shape_functions, Dimension dimension);
+  const GridKernels &doubles, &floats;
   const LawKernels* (*law)(std::string_view name, Dimension dimension, bool total_lagrangian);
+  const GridKernels& grid(const Numerics& numerics) const {
+    return numerics.precision == float_precision ? floats : doubles;
+  }
 };
 
 /// The fastest kernels that this processor can run.

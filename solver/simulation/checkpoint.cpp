@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "solver/implicit/steppers.h"
@@ -87,9 +88,12 @@ Checkpoint Simulation::save() {
   checkpoint.time = time();
   for (std::size_t b = 0; b < executor_.bodies().size(); ++b) {
     const BodyParticles& body = executor_.bodies()[b];
-    for (int a = 0; a < attribute_count; ++a)
-      if (!body.arrays[a].empty())
-        checkpoint.arrays.push_back({array_name(b, attribute_name(static_cast<Attribute>(a))), body.arrays[a]});
+    for (Attribute a : body.present) {
+      const std::vector<float>& floats = body.floats[static_cast<std::size_t>(a)];
+      // Floats as doubles, which they are exactly.
+      checkpoint.arrays.push_back({array_name(b, attribute_name(a)),
+                                   floats.empty() ? body[a] : std::vector<double>(floats.begin(), floats.end())});
+    }
     checkpoint.arrays.push_back(
         {array_name(b, "number"), std::vector<std::int64_t>(body.number.begin(), body.number.end())});
   }
@@ -116,10 +120,13 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
       coherence_(model, executor_) {
   for (std::size_t b = 0; b < executor_.bodies().size(); ++b) {
     BodyParticles& body = executor_.bodies()[b];
-    for (int a = 0; a < attribute_count; ++a)
-      if (!body.arrays[a].empty())
-        body.arrays[a] =
-            checkpoint_array<double>(checkpoint, array_name(b, attribute_name(static_cast<Attribute>(a))));
+    for (Attribute a : body.present) {
+      const auto& saved = checkpoint_array<double>(checkpoint, array_name(b, attribute_name(a)));
+      std::vector<float>& floats = body.floats[static_cast<std::size_t>(a)];
+      if (floats.empty()) body[a] = saved;
+      std::ranges::transform(floats, saved, floats.begin(),
+                             [](float, double value) { return static_cast<float>(value); });
+    }
     const auto& numbers = checkpoint_array<std::int64_t>(checkpoint, array_name(b, "number"));
     body.number.assign(numbers.begin(), numbers.end());
   }

@@ -145,14 +145,14 @@ std::optional<Warning> Coherence::check(std::int64_t step, double time, bool due
 
 std::optional<Warning> Coherence::check(std::size_t b) const {
   const BodyParticles& body = executor_.bodies()[b];
-  if (!stretches_with_particles_ && !body[Attribute::deformation_xx].empty()) {
+  if (!stretches_with_particles_ && body.has(Attribute::deformation_xx)) {
     double widest = 0;
     std::size_t slot = 0;
     for (std::size_t i = 0; i < body.size(); ++i)
       for (int edge = 0; edge < axes_; ++edge) {
         double square = 0;
         for (int axis = 0; axis < axes_; ++axis)
-          square += std::pow(body.component(Attribute::deformation_xx, 3 * axis + edge)[i], 2);
+          square += std::pow(body.value(Attribute::deformation_xx, 3 * axis + edge, i), 2);
         const double apart = 2 * body.constants.half_size[edge] * std::sqrt(square);
         if (apart > widest) widest = apart, slot = i;
       }

@@ -5,6 +5,7 @@
 
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/diverged.h"
+#include "solver/simulation/make_scratch.h"
 
 namespace trajan {
 namespace {
@@ -29,7 +30,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
     : model_(model),
       rehearsal_(filling == Filling::nothing),
       axes_(grid_axes(model.dimension)),
-      kernels_(kernels()),
+      kernels_(kernels().grid(model.numerics)),
       motion_(kernels_.motion[axes_ - 1]),
       transfer_kind_(*find_transfer(model.numerics.transfer)),
       transfer_(choose(transfer_kind_, *kernels_.transfer(model.numerics.shape_functions, model.dimension))),
@@ -60,14 +61,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
   lightest_particle_ = lightest_particle(bodies_);
   accounts_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
               !model.outputs.reactions.empty();
-  for (int thread = 0; thread < threads; ++thread) {
-    auto scratch = std::make_unique<TransferScratch<double>>();
-    scratch->prepare(
-        static_cast<std::size_t>(quantities(transfer_kind_.node_vectors, axes_) * transfer_.window_size()),
-        static_cast<std::size_t>(transfer_.stencil_size),
-        transfer_kind_.affine ? static_cast<std::size_t>(axes_) : 0);
-    scratch_.push_back(std::move(scratch));
-  }
+  for (int thread = 0; thread < threads; ++thread) scratch_.push_back(make_scratch(model, transfer_, bodies_));
 }
 
 Executor::~Executor() = default;
@@ -168,8 +162,13 @@ Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& s
   const BodyParticles& body = bodies_[range.body];
   Block block;
   block.count = range.count;
-  for (int a = 0; a < attribute_count; ++a)
-    if (!body.arrays[a].empty()) block.arrays[a] = const_cast<double*>(body.arrays[a].data()) + range.begin;
+  for (Attribute a : body.present) {
+    const auto k = static_cast<std::size_t>(a);
+    if (body.floats[k].empty())
+      block.arrays[k] = const_cast<double*>(body.arrays[k].data()) + range.begin;
+    else
+      block.floats[k] = const_cast<float*>(body.floats[k].data()) + range.begin;
+  }
   block.body = &body.constants;
   block.sweep = &sweep_;
   for (int axis = 0; axis < axes_; ++axis) {
@@ -196,6 +195,7 @@ void Executor::prepare(const StepTimes& times) {
   finish();
   or_diverge([&] { conditions_.prepare({times.time, times.before, times.after, times.drift}); });
   sweep_.kick = times.kick();
+  sweep_.step = times.step;
   sweep_.drift = times.drift;
 }
 

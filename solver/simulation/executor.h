@@ -120,7 +120,7 @@ class Executor {
   const Model& model_;
   bool rehearsal_;
   int axes_;  ///< of the grid
-  const Kernels& kernels_;
+  const GridKernels& kernels_;
   const MotionKernels& motion_;
   const Transfer& transfer_kind_;
   const TransferKernels& transfer_;

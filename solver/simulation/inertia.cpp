@@ -16,8 +16,14 @@ void Executor::scale_inertia(std::size_t index, double factor) {
 void Executor::halt() {
   account_.add(0, totals().kinetic_energy);
   for (BodyParticles& body : bodies_) {
-    for (int axis = 0; axis < axes_; ++axis) std::ranges::fill(body.component(Attribute::velocity_x, axis), 0.0);
-    for (int c = 0; c < 9; ++c) std::ranges::fill(body.component(Attribute::affine_xx, c), 0.0);
+    const auto forget = [&body](Attribute first, int components) {
+      for (int c = 0; c < components; ++c) {
+        std::ranges::fill(body.component(first, c), 0.0);
+        std::ranges::fill(body.floats[static_cast<int>(first) + c], 0.0F);
+      }
+    };
+    forget(Attribute::velocity_x, axes_);
+    forget(Attribute::affine_xx, 9);
   }
 }
 

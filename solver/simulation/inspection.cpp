@@ -15,7 +15,8 @@ Totals Executor::totals() {
     for (std::size_t index = shares_[t]; index < shares_[t + 1]; ++index) {
       const Tile& tile = tiles_.tiles()[index];
       for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
-        const Block block = make_block(tile, tiles_.blocks()[b], *scratch_[t]);
+        Block block = make_block(tile, tiles_.blocks()[b], *scratch_[t]);
+        motion_.law_exchange.widen(block);
         motion_.measure(block, tile_totals_[index]);
         bodies_[tiles_.blocks()[b].body].law->measure(block, tile_totals_[index]);
       }
@@ -47,7 +48,9 @@ void Executor::stress(const Slot& slot, double* out) const {
   std::array<double*, 6> components;
   for (std::size_t c = 0; c < components.size(); ++c) components[c] = out + c;
   const BlockRange one{slot.index, 1, static_cast<std::uint16_t>(slot.body)};
-  bodies_[slot.body].law->stress(make_block(tiles_.tiles()[0], one, *scratch_[0]), components.data());
+  Block block = make_block(tiles_.tiles()[0], one, *scratch_[0]);
+  motion_.law_exchange.widen(block);
+  bodies_[slot.body].law->stress(block, components.data());
 }
 
 void Executor::check(const Trouble& trouble) const {
@@ -87,7 +90,7 @@ std::int64_t Executor::worst_particle() const {
       for (int axis = 0; axis < axes_; ++axis) {
         const std::vector<double>& moved = body.component(Attribute::displacement_x, axis);
         const double x = body.component(Attribute::position_x, axis)[i] + (moved.empty() ? 0.0 : moved[i]);
-        const double v = body.component(Attribute::velocity_x, axis)[i];
+        const double v = body.value(Attribute::velocity_x, axis, i);
         out = std::max({out, sweep_.lower[axis] - x, x - sweep_.upper[axis]});
         squared_speed += v * v;
         sum += x + v;
@@ -116,6 +119,7 @@ std::size_t Executor::memory() const {
   for (const BodyParticles& body : bodies_) {
     bytes += body.number.capacity() * sizeof(std::uint32_t);
     for (const std::vector<double>& array : body.arrays) bytes += array.capacity() * sizeof(double);
+    for (const std::vector<float>& array : body.floats) bytes += array.capacity() * sizeof(float);
   }
   return bytes;
 }

@@ -50,7 +50,7 @@ double ParticleFields::reference_volume(const Slot& particle) const {
 }
 
 double ParticleFields::velocity(const Slot& particle, int axis) const {
-  return executor_.bodies()[particle.body].component(Attribute::velocity_x, axis)[particle.index];
+  return executor_.bodies()[particle.body].value(Attribute::velocity_x, axis, particle.index);
 }
 
 std::array<double, 6> ParticleFields::stress(const Slot& particle) const {
@@ -69,13 +69,13 @@ ParticleFields::Matrix ParticleFields::deformation_gradient(const Slot& particle
   const int axes = grid_axes(model_.dimension);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      const std::vector<double>& component = body[after(Attribute::deformation_xx, 3 * i + j)];
-      f[i][j] = component.empty() ? (i != j ? 0 : i < axes ? none : 1) : component[particle.index];
+      const Attribute component = after(Attribute::deformation_xx, 3 * i + j);
+      f[i][j] = body.has(component) ? body.value(component, particle.index) : i != j ? 0 : i < axes ? none : 1;
     }
   }
   // Where the stretch across is free and not stored, the volume tells it; a bar's two are taken as equal.
   const std::vector<double>& volume = body[Attribute::volume];
-  if (!rest_is_free(model_.dimension) || !body[Attribute::deformation_zz].empty() || volume.empty()) return f;
+  if (!rest_is_free(model_.dimension) || body.has(Attribute::deformation_zz) || volume.empty()) return f;
   const double ratio = volume[particle.index] / reference_volume(particle);
   if (axes == 1)
     f[1][1] = f[2][2] = std::sqrt(ratio / f[0][0]);
@@ -125,7 +125,7 @@ void ParticleFields::read(const RecordedField& field, const Slot& particle, Vect
     case Field::history: {
       const int place = field.history[particle.body];
       const BodyParticles& body = executor_.bodies()[particle.body];
-      out[0] = place < 0 ? none : body[after(Attribute::history_0, place)][particle.index];
+      out[0] = place < 0 ? none : body.value(after(Attribute::history_0, place), particle.index);
       return;
     }
     case Field::unspecified:

@@ -170,7 +170,8 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   for (Attribute a : law.attributes) add({a}, law_name);
   if (total && !law.rate_form && model.numerics.locking_remedy != "none")
     add({volume}, "locking remedy " + model.numerics.locking_remedy);
-  const bool shapes = kernels().transfer(model.numerics.shape_functions, model.dimension)->needs_deformation;
+  const bool shapes =
+      kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->needs_deformation;
   const bool contacts = model.contacts.fields > 1;
   if (shapes || contacts || records_deformation(model))
     for (Attribute a : law.tracked)
@@ -192,6 +193,12 @@ BodyParticles make_body(const Model& model, std::size_t index) {
   if (!model.contacts.field_of.empty()) made.field = model.contacts.field_of[index];
   made.constants.law = made.law_object.get();
   made.needs = attributes_needed(model, index);
+  made.narrow = model.numerics.precision == float_precision;
+  for (int a = 0; a < attribute_count; ++a)
+    if (made.carries(static_cast<Attribute>(a))) made.present.push_back(static_cast<Attribute>(a));
+  std::ranges::copy_if(made.present, std::back_inserter(made.narrow_state),
+                       [&](Attribute a) { return made.is_float(a) && is_float_of_law(a); });
+  made.constants.narrow_state = made.narrow_state;
   return made;
 }
 
@@ -205,9 +212,26 @@ void add_particles(const Model& model, const Body& body, BodyParticles& made) {
   begin_state(made, body);
   begin_volume(made, model, body);
   begin_history(made);
+  made.round();
 }
 
 }  // namespace
+
+double BodyParticles::value(Attribute a, std::size_t slot) const {
+  const std::vector<float>& rounded = floats[static_cast<std::size_t>(a)];
+  return rounded.empty() ? (*this)[a][slot] : value_at_rest(a) + static_cast<double>(rounded[slot]);
+}
+
+void BodyParticles::round() {
+  for (Attribute a : present) {
+    if (!is_float(a)) continue;
+    std::vector<float>& rounded = floats[static_cast<std::size_t>(a)];
+    rounded.resize(size());
+    std::ranges::transform((*this)[a], rounded.begin(),
+                           [a](double value) { return static_cast<float>(value - value_at_rest(a)); });
+    (*this)[a] = {};
+  }
+}
 
 bool BodyParticles::carries(Attribute a) const {
   return std::ranges::any_of(needs, [a](const AttributeNeed& need) { return need.attribute == a; });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/executors/block.h"
+#include "solver/executors/floats.h"
 #include "solver/executors/tiles.h"
 #include "solver/model/model.h"
 #include "solver/schemes/kernels.h"
@@ -27,7 +28,11 @@ struct BodyParticles {
   const LawKernels* law = nullptr;
   std::unique_ptr<const void, void (*)(const void*)> law_object{nullptr, [](const void*) {}};
   std::vector<AttributeNeed> needs;                         ///< several may want the same attribute
-  std::array<std::vector<double>, attribute_count> arrays;  ///< empty: not needed
+  bool narrow = false;                                      ///< what may be float is
+  std::vector<Attribute> present;                           ///< what is needed, each once
+  std::vector<Attribute> narrow_state;                      ///< what of it the law sees and is float
+  std::array<std::vector<double>, attribute_count> arrays;  ///< empty: not needed, or floats
+  std::array<std::vector<float>, attribute_count> floats;   ///< less their value at rest
   std::vector<std::uint32_t> number;                        ///< within the body, by slot
   double inertia = 1;  ///< by what mass is multiplied where only a state of rest is wanted, but not weight
 
@@ -38,6 +43,18 @@ struct BodyParticles {
   /// A component of a vector whose first component is `a`.
   std::vector<double>& component(Attribute a, int axis) { return arrays[static_cast<int>(a) + axis]; }
   const std::vector<double>& component(Attribute a, int axis) const { return arrays[static_cast<int>(a) + axis]; }
+
+  /// \name Of what may be double or float
+  /// @{
+  bool has(Attribute a) const { return !(*this)[a].empty() || !floats[static_cast<int>(a)].empty(); }
+  double value(Attribute a, std::size_t slot) const;
+  double value(Attribute first, int axis, std::size_t slot) const {
+    return value(static_cast<Attribute>(static_cast<int>(first) + axis), slot);
+  }
+  bool is_float(Attribute a) const { return narrow && may_be_float(a); }
+  /// Makes floats of what is one.
+  void round();
+  /// @}
 };
 
 std::string_view attribute_name(Attribute attribute);

@@ -169,6 +169,8 @@ void reorder(const Grid& grid, const Tiles& tiles, bool staggered, BodyParticles
   for (std::uint32_t slot = 0; slot < body.size(); ++slot) slot_of[begin[places.bin_of(slot)]++] = slot;
   std::vector<double> spare;
   for (std::vector<double>& array : body.arrays) permute(array, slot_of, spare);
+  std::vector<float> spare_floats;
+  for (std::vector<float>& array : body.floats) permute(array, slot_of, spare_floats);
   std::vector<std::uint32_t> spare_numbers;
   permute(body.number, slot_of, spare_numbers);
 }

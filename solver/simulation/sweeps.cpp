@@ -1,6 +1,7 @@
 #include "solver/simulation/sweeps.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "solver/schemes/share_dilatation.h"
 
@@ -10,6 +11,13 @@ namespace {
 std::vector<Stage> joined(std::initializer_list<std::vector<Stage>> lists) {
   std::vector<Stage> all;
   for (const std::vector<Stage>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+/// Without those that are nullptr.
+std::vector<Stage> present(std::initializer_list<Stage> stages) {
+  std::vector<Stage> all;
+  std::ranges::copy_if(stages, std::back_inserter(all), [](Stage stage) { return stage != nullptr; });
   return all;
 }
 
@@ -33,7 +41,7 @@ const char* name_among(std::initializer_list<NamedStage> known, Stage stage) {
 Sweeps::Sweeps(const Model& model, const Transfer& kind, const TransferKernels& transfer, int sum_quantities)
     : model_(model),
       axes_(grid_axes(model.dimension)),
-      motion_(kernels().motion[axes_ - 1]),
+      motion_(kernels().grid(model.numerics).motion[axes_ - 1]),
       kind_(kind),
       transfer_(transfer),
       transfer_passes_(kind.passes(transfer, motion_, model.numerics)),
@@ -46,13 +54,14 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
     return wanted ? stages : std::vector<Stage>{};
   };
   const TransferPasses& transfer = transfer_passes_;
+  const LawExchangeKernels& exchange = motion_.law_exchange;
   switch (pass) {
     case Pass::begin:
       return transfer.begin.stages;
     case Pass::locate:
       return joined({{transfer_.locate}, transfer.locate.stages});
     case Pass::force:
-      return {body.law->force};
+      return present({exchange.widen_state, body.law->force, exchange.narrow_force});
     case Pass::scatter_state:
       return joined({transfer.scatter_state.stages, only_if(hoop, {transfer_.scatter_hoop}),
                      only_if(loads_, {motion_.find_loads, transfer_.scatter_loads})});
@@ -90,11 +99,9 @@ Stage Sweeps::sharing(std::size_t body) const {
 }
 
 std::vector<Stage> Sweeps::deform_stages(const BodyParticles& body, std::size_t index) const {
-  std::vector<Stage> stages;
-  if (const Stage share = sharing(index)) stages.push_back(share);
-  stages.push_back(body.law->deform);
-  if (body.law->track != nullptr && body.carries(Attribute::deformation_xx)) stages.push_back(body.law->track);
-  return stages;
+  const LawExchangeKernels& exchange = motion_.law_exchange;
+  const Stage track = body.carries(Attribute::deformation_xx) ? body.law->track : nullptr;
+  return present({exchange.widen_state, sharing(index), body.law->deform, track, exchange.narrow_state});
 }
 
 unsigned Sweeps::gathered(Pass pass) const {
@@ -173,6 +180,9 @@ std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t ind
                                  {motion_.move, "move"},
                                  {motion_.displace, "displace"},
                                  {motion_.take_velocity, "take velocity"},
+                                 {motion_.law_exchange.widen_state, "widen"},
+                                 {motion_.law_exchange.narrow_state, "narrow"},
+                                 {motion_.law_exchange.narrow_force, "narrow force"},
                                  {take_half, "half a step"},
                                  {take_whole, "whole step"}},
                                 stage);

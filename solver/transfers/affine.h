@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "solver/transfers/gather.h"
 #include "solver/transfers/scatter.h"
 
@@ -31,8 +33,8 @@ inline void find_levers_along(Block& block, int axis) {
       lever[n] = s.weight[axis][n][i] * distance;
       inertia += lever[n] * distance;
     }
-    // A thousand roundings of the weights.
-    const bool some = inertia > 1e-12;
+    // Some thousand roundings of the weights.
+    const bool some = inertia > 4500 * std::numeric_limits<Real>::epsilon();
     const Real inverse = 1 / (some ? inertia : 1);
     for (int n = 0; n < Nodes; ++n) {
       lever[n] = some ? lever[n] * inverse : s.slope[axis][n][i];

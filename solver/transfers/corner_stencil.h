@@ -48,7 +48,7 @@ struct ParticleEdges {
     for (int a = 0; a < D; ++a) {
       double reach = 0;
       for (int b = 0; b < D; ++b) {
-        along[a][b] = block.component(Attribute::deformation_xx, 3 * a + b)[i] * block.body->half_size[b];
+        along[a][b] = static_cast<double>(deformation_of(block, a, b, i)) * block.body->half_size[b];
         reach += along[a][b] < 0 ? -along[a][b] : along[a][b];
       }
       longest = reach > longest ? reach : longest;

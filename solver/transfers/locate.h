@@ -79,13 +79,13 @@ inline void fold(Block& block, int axis, double lower_face, double upper_face) {
 template <class Shape>
 inline void weigh_along(Block& block, int axis) {
   RealScratch& s = scratch_of(block);
-  const double half_size = block.body->half_size[axis];
+  const Real half_size = Real(block.body->half_size[axis]);
   const Real* place = s.place[axis].data();
-  const double* stretch = block.component(Attribute::deformation_xx, 4 * axis);
 #pragma GCC ivdep
   for (int i = 0; i < block.count; ++i) {
     Real weight[Shape::nodes], slope[Shape::nodes];
-    Shape::weigh(place[i], Real(Shape::needs_deformation ? half_size * stretch[i] : half_size), weight, slope);
+    Shape::weigh(place[i], Shape::needs_deformation ? half_size * deformation_of(block, axis, axis, i) : half_size,
+                 weight, slope);
     for (int n = 0; n < Shape::nodes; ++n) {
       s.weight[axis][n][i] = weight[n];
       s.slope[axis][n][i] = slope[n];

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/schemes/kernels.h"
-#include "solver/transfers/real.h"
+#include "solver/transfers/rounding.h"
 
 /// Stages that change particles by what has been gathered for them, whatever their law.
 namespace trajan {
@@ -10,25 +10,27 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// v += dt a.
 template <int D>
 inline void kick(Block& block) {
-  const Real dt = Real(block.sweep->kick);
+  const double dt = block.sweep->kick;
   for (int axis = 0; axis < D; ++axis) {
     Real* v = component_of(block, Attribute::velocity_x, axis);
     const Real* a = scratch_of(block).acceleration[axis].data();
+    const Rounding rounded(block, static_cast<Attribute>(axis));
 #pragma GCC ivdep
-    for (int i = 0; i < block.count; ++i) v[i] += dt * a[i];
+    for (int i = 0; i < block.count; ++i) v[i] = rounded(v[i] + dt * a[i], i);
   }
 }
 
 /// A blend of FLIP, v + dt a, and PIC, the grid's velocity (Stomakhin et al. 2013).
 template <int D>
 inline void kick_and_blend(Block& block) {
-  const Real dt = Real(block.sweep->kick), flip = Real(block.sweep->flip), pic = 1 - flip;
+  const double dt = block.sweep->kick, flip = block.sweep->flip, pic = 1 - flip;
   for (int axis = 0; axis < D; ++axis) {
     Real* v = component_of(block, Attribute::velocity_x, axis);
     const Real* a = scratch_of(block).acceleration[axis].data();
     const Real* u = scratch_of(block).velocity[axis].data();
+    const Rounding rounded(block, static_cast<Attribute>(axis));
 #pragma GCC ivdep
-    for (int i = 0; i < block.count; ++i) v[i] = flip * (v[i] + dt * a[i]) + pic * u[i];
+    for (int i = 0; i < block.count; ++i) v[i] = rounded(flip * (v[i] + dt * a[i]) + pic * u[i], i);
   }
 }
 

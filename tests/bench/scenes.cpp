@@ -19,6 +19,7 @@ Scene scene_of(const Choice& choice, double cell) {
   scene.numerics.scheme = choice.scheme;
   scene.numerics.shape_functions = choice.shape_functions;
   scene.numerics.transfer = choice.transfer;
+  scene.numerics.precision = choice.precision;
   scene.analysis.end_time = 1000;  // no sample comes while it is measured
   scene.outputs.samples = 1;
   scene.outputs.snapshots = 1;

@@ -18,6 +18,7 @@ struct Choice {
   bool damage = false;
   bool contact = false;
   Dimension dimension = Dimension::plane_strain;
+  std::string precision = "DOUBLE";
   Kind kind = Kind::explicit_steps;
 };
 

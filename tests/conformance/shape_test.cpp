@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
+#include <type_traits>
 
 #include "solver/schemes/kernels.h"
 #include "solver/schemes/scheme.h"
@@ -12,8 +14,9 @@ namespace {
 
 constexpr double cell = 0.25;
 /// Sums of at most 64 products of weights that add up to one, with node values below 100 and derivatives that
-/// divide by a domain of at least a fiftieth of a cell.
-constexpr double rounding = 1e-11;
+/// divide by a domain of at least a fiftieth of a cell: so many epsilons of the number type.
+template <class Number>
+constexpr double rounding = 4.5e4 * std::numeric_limits<Number>::epsilon();
 
 struct Case {
   std::string shape;
@@ -29,12 +32,15 @@ std::vector<Case> cases() {
 }
 
 /// One tile in the corner of the domain, or in its middle, with particles at random places in it.
+template <class Number>
 class TileOfParticles {
  public:
   static constexpr int count = 100;
+  static constexpr bool wide = std::is_same_v<Number, double>;
 
   TileOfParticles(const Case& c, bool at_faces)
-      : axes(grid_axes(c.dimension)), kernels(*trajan::kernels().transfer(c.shape, c.dimension)) {
+      : axes(grid_axes(c.dimension)),
+        kernels(*(wide ? trajan::kernels().doubles : trajan::kernels().floats).transfer(c.shape, c.dimension)) {
     const Layout& layout = kernels.layout;
     sweep.cell = cell;
     sweep.inverse_cell = 1 / cell;
@@ -98,10 +104,11 @@ class TileOfParticles {
   int tile_at[3] = {};
   SweepConstants sweep;
   BodyConstants body;
-  TransferScratch<double> scratch;
+  TransferScratch<Number> scratch;
   Block block;
   AlignedDoubles sums;
   std::vector<std::vector<double>> arrays;
+  std::vector<std::vector<float>> floats;
 
  private:
   void fill() {
@@ -109,6 +116,9 @@ class TileOfParticles {
     for (int a = 0; a < attribute_count; ++a)
       block.arrays[static_cast<std::size_t>(a)] = arrays[static_cast<std::size_t>(a)].data();
     block.arrays[static_cast<int>(Attribute::reference_volume)] = nullptr;
+    floats.assign(attribute_count, std::vector<float>(count, 0.0F));
+    for (int a = 0; a < attribute_count; ++a)
+      block.floats[static_cast<std::size_t>(a)] = floats[static_cast<std::size_t>(a)].data();
     body.mass = 2;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> anywhere(0, 1), little(-0.2, 0.2);
@@ -122,22 +132,30 @@ class TileOfParticles {
         if (i == 3) place = lowest + 0.5;
         block.component(Attribute::position_x, axis)[i] =
             sweep.origin[axis] + cell * (block.window_first[axis] + place);
-        block.component(Attribute::velocity_x, axis)[i] = axis - 0.5;
+        block.component<Number>(Attribute::velocity_x, axis)[i] = static_cast<Number>(axis - 0.5);
       }
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
-          block.component(Attribute::deformation_xx, 3 * a + b)[i] = (a == b ? 1.0 : 0.0) + little(random);
-      for (int ab = 0; ab < 9; ++ab) scratch.force[ab][i] = little(random);
+          block.component<Number>(Attribute::deformation_xx, 3 * a + b)[i] =
+              static_cast<Number>((wide && a == b ? 1.0 : 0.0) + little(random));
+      for (int ab = 0; ab < 9; ++ab) {
+        scratch.force[ab][i] = little(random);
+        if constexpr (!wide) scratch.narrow_force[ab][i] = static_cast<Number>(scratch.force[ab][i]);
+      }
     }
   }
 };
 
 class Shape : public testing::TestWithParam<std::tuple<Case, bool>> {
  protected:
-  TileOfParticles tile{std::get<0>(GetParam()), std::get<1>(GetParam())};
+  template <class Number>
+  TileOfParticles<Number> tile() const {
+    return {std::get<0>(GetParam()), std::get<1>(GetParam())};
+  }
 };
 
-TEST_P(Shape, GathersLinearFieldsExactly) {
+template <class Number>
+void gather_linear_fields(TileOfParticles<Number> tile) {
   tile.load_linear_fields();
   tile.kernels.gather_acceleration(tile.block);
   tile.kernels.gather_motion(tile.block);
@@ -146,11 +164,12 @@ TEST_P(Shape, GathersLinearFieldsExactly) {
     for (int axis = 0; axis < tile.axes; ++axis) at[axis] = tile.x(axis, i);
     for (int a = 0; a < tile.axes; ++a) {
       EXPECT_NEAR(tile.scratch.acceleration[a][i], tile.field(quantity(node_acceleration, a, tile.axes), at),
-                  rounding);
-      EXPECT_NEAR(tile.scratch.velocity[a][i], tile.field(quantity(node_velocity, a, tile.axes), at), rounding);
+                  rounding<Number>);
+      EXPECT_NEAR(tile.scratch.velocity[a][i], tile.field(quantity(node_velocity, a, tile.axes), at),
+                  rounding<Number>);
       for (int b = 0; b < tile.axes; ++b)
         EXPECT_NEAR(tile.scratch.gradient[a * tile.axes + b][i],
-                    tile.slope(quantity(node_mapped_velocity, a, tile.axes), b), rounding / cell)
+                    tile.slope(quantity(node_mapped_velocity, a, tile.axes), b), rounding<Number> / cell)
             << "particle " << i << ", component " << a << ", derivative " << b;
     }
   }
@@ -158,7 +177,8 @@ TEST_P(Shape, GathersLinearFieldsExactly) {
 }
 
 /// Mass and its centre, momentum, and forces that are in balance: their sum is none, their virial the particles'.
-TEST_P(Shape, ScattersMassCentreMomentumAndVirial) {
+template <class Number>
+void scatter_mass_momentum_and_forces(TileOfParticles<Number> tile) {
   tile.kernels.scatter_state(tile.block);
   const Layout& layout = tile.kernels.layout;
   const int axes = tile.axes;
@@ -179,23 +199,34 @@ TEST_P(Shape, ScattersMassCentreMomentumAndVirial) {
     }
   }
   const double total = 2.0 * tile.count;
-  EXPECT_NEAR(mass, total, rounding * total);
+  EXPECT_NEAR(mass, total, rounding<Number> * total);
   for (int a = 0; a < axes; ++a) {
     double expected_centre = 0, expected_momentum = 0;
     for (int i = 0; i < tile.count; ++i) {
       expected_centre += 2 * tile.x(a, i);
-      expected_momentum += 2 * tile.block.component(Attribute::velocity_x, a)[i];
+      expected_momentum +=
+          2 * static_cast<double>(tile.block.template component<Number>(Attribute::velocity_x, a)[i]);
     }
-    EXPECT_NEAR(centre[a], expected_centre, rounding * total * 100);
-    EXPECT_NEAR(momentum[a], expected_momentum, rounding * total);
-    EXPECT_NEAR(force[a], 0, rounding * total);
+    EXPECT_NEAR(centre[a], expected_centre, rounding<Number> * total * 100);
+    EXPECT_NEAR(momentum[a], expected_momentum, rounding<Number> * total);
+    EXPECT_NEAR(force[a], 0, rounding<Number> * total);
     for (int b = 0; b < axes; ++b) {
       double expected = 0;
       // Forces were given over the cell size.
       for (int i = 0; i < tile.count; ++i) expected += cell * tile.scratch.force[a * axes + b][i];
-      EXPECT_NEAR(virial[3 * a + b], expected, rounding * total * 100);
+      EXPECT_NEAR(virial[3 * a + b], expected, rounding<Number> * total * 100);
     }
   }
+}
+
+TEST_P(Shape, GathersLinearFieldsExactly) {
+  gather_linear_fields(tile<double>());
+  gather_linear_fields(tile<float>());
+}
+
+TEST_P(Shape, ScattersMassCentreMomentumAndVirial) {
+  scatter_mass_momentum_and_forces(tile<double>());
+  scatter_mass_momentum_and_forces(tile<float>());
 }
 
 std::string name_of(const testing::TestParamInfo<std::tuple<Case, bool>>& tested) {

@@ -5,7 +5,7 @@ namespace trajan::stability {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
       {"time_steps", time_steps}, {"contrasts", contrasts}, {"long_runs", long_runs},
-      {"scales", scales},         {"tiny", tiny},
+      {"scales", scales},         {"tiny", tiny},           {"floats", floats},
   };
   return all;
 }

@@ -6,6 +6,7 @@
 namespace trajan::stability {
 
 std::vector<Extreme> contrasts(Size size);
+std::vector<Extreme> floats(Size size);
 std::vector<Extreme> long_runs(Size size);
 std::vector<Extreme> scales(Size size);
 std::vector<Extreme> time_steps(Size size);

@@ -228,6 +228,20 @@ const std::vector<Mistake> numerics = {
        s.numerics.locking_remedy = "mean_dilatation";
      },
      "numerics.locking_remedy", "nothing locks"},
+    {"UnknownPrecision", [](Scene& s) { s.numerics.precision = "float"; }, "numerics.precision",
+     "no precision \"float\"", "FLOAT"},
+    {"ImplicitStepsWithFloats",
+     [](Scene& s) {
+       s.numerics.precision = "FLOAT";
+       s.analysis.kind = QuasiStatic{};
+     },
+     "numerics.precision", "need doubles"},
+    {"TooLightForFloats",
+     [](Scene& s) {
+       s.numerics.precision = "FLOAT";
+       s.materials[0].density = 1e-35;
+     },
+     "numerics.precision", "no floats", "units"},
     {"OrderOfNothing", [](Scene& s) { s.numerics.transfer_order = 3; }, "numerics.transfer_order",
      "have an order"},
     {"OrderZero",

@@ -140,6 +140,7 @@ TEST_F(EveryField, KeepsAnalysisAndNumerics) {
   EXPECT_EQ(scene_.numerics.transfer, "XPIC");
   EXPECT_EQ(scene_.numerics.transfer_order, 5);
   EXPECT_EQ(scene_.numerics.locking_remedy, "mean_dilatation");
+  EXPECT_EQ(scene_.numerics.precision, "FLOAT");
 }
 
 TEST_F(EveryField, KeepsContacts) {

@@ -49,6 +49,22 @@ TEST(Attributes, OfAffineVelocitiesAreThereForAffineTransfersAlone) {
   EXPECT_THAT(attributes("TLMPM", "neo_hookean", Dimension::plane_strain, "APIC"), testing::IsSupersetOf(affine));
 }
 
+TEST(Attributes, AreFloatsWhereTheSceneAsksForThemButForPlacesAndVolumes) {
+  Scene scene = test::discs(0.04);
+  const std::int64_t doubles = plan(validate(scene)).memory_bytes;
+  scene.numerics.precision = float_precision;
+  const ModelPlan floats = plan(validate(scene));
+  for (const ModelPlan::Attribute& a : floats.attributes) {
+    const bool wide = a.name.starts_with("position") || a.name == "volume";
+    EXPECT_EQ(a.bytes_per_particle, wide ? 8 : 4) << a.name;
+  }
+  // Two velocities and four stresses.
+  EXPECT_EQ(doubles - floats.memory_bytes, 6 * 4 * floats.particles);
+  const Simulation simulation(validate(scene), 1);
+  for (const BodyParticles& body : simulation.executor().bodies())
+    for (int a = 0; a < attribute_count; ++a) EXPECT_TRUE(body.arrays[a].empty() || body.floats[a].empty());
+}
+
 TEST(Memory, OfNodesHasTheVectorsThatTheTransferIterates) {
   Scene scene = test::discs(0.04);
   const auto nodes = [&](const char* transfer) {

@@ -21,18 +21,23 @@ Scene busy(const std::string& scheme) {
   return scene;
 }
 
-/// A scheme, or a transfer in the default scheme.
+/// A scheme, or a transfer in the default scheme, or floats with shape functions that need their gradients.
 class Reproduction : public testing::TestWithParam<std::string> {
  protected:
   Model model() const {
-    if (!find_transfer(GetParam())) return validate(busy(GetParam()));
     Scene scene = busy(Numerics{}.scheme);
+    if (GetParam() == float_precision) {
+      scene.numerics.precision = float_precision;
+      scene.numerics.shape_functions = "cpgimp";
+      return validate(scene);
+    }
+    if (!find_transfer(GetParam())) return validate(busy(GetParam()));
     scene.numerics.shape_functions = "quadratic_bspline";
     scene.numerics.transfer = GetParam();
     return validate(scene);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Schemes, Reproduction, testing::Values("USL", "MUSL", "TLMPM"),
+INSTANTIATE_TEST_SUITE_P(Schemes, Reproduction, testing::Values("USL", "MUSL", "TLMPM", "FLOAT"),
                          [](const auto& named) { return named.param; });
 INSTANTIATE_TEST_SUITE_P(Transfers, Reproduction,
                          testing::ValuesIn(std::vector<std::string>(transfer_names().begin(),
