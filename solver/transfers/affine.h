@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "solver/transfers/gather.h"
+#include "solver/transfers/locate.h"
 #include "solver/transfers/scatter.h"
 
 /// Velocities that vary linearly about their particle (Jiang, Schroeder and Teran 2017). A particle carries
@@ -45,9 +46,12 @@ inline void find_levers_along(Block& block, int axis) {
   }
 }
 
-template <int Nodes, int D>
+template <class Shape, int D>
 inline void find_levers(Block& block) {
-  for (int axis = 0; axis < D; ++axis) find_levers_along<Nodes>(block, axis);
+  for (int axis = 0; axis < D; ++axis) {
+    if constexpr (Shape::nodes == 2) weigh_along<Shape>(block, axis);
+    find_levers_along<Shape::nodes>(block, axis);
+  }
 }
 
 /// A component of the matrix that particles carry.
@@ -76,7 +80,8 @@ inline void scatter_affine(Block& block) {
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a)
 #pragma GCC unroll 3
-            for (int b = 0; b < D; ++b) sums[a] += lever[b] * (mass_per_cell * affine(block, a, b)[i]);
+            for (int b = 0; b < D; ++b)
+              sums[a] = multiply_add(lever[b], spread<Row>(mass_per_cell * affine(block, a, b)[i]), sums[a]);
         };
       });
 }

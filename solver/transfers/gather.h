@@ -9,7 +9,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// Calls put(i, axis, sums) with what the nodes hold of a vector's component at particle i: sums[0], and its
 /// derivatives per cell: sums[1 + axis]. Where shape functions are products that is for several particles from i
-/// on at once, up to three of them past the last one.
+/// on at once, some of them past the last one.
 template <class Stencil, Layout L, class Put>
 __attribute__((always_inline)) inline void gather(Block& block, NodeVector vector, Put&& put) {
   constexpr int D = L.dimensions;

@@ -5,6 +5,9 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
+// Arrays of a block have room for the lanes past its last particle.
+static_assert(sizeof(Lanes) / sizeof(Real) <= 2 * block_padding);
+
 /// Several consecutive particles with the same nodes at once, each a lane.
 template <int Nodes, Layout L, class Slopes = ShapeSlopes>
 struct ProductLanes {
@@ -28,21 +31,57 @@ struct ProductLanes {
 #pragma GCC unroll 4
     for (int n = 0; n < Nodes; ++n) {
       if constexpr (axis == 0) {
-        sums[0] = n == 0 ? weight[0][n] * nodes[n] : sums[0] + weight[0][n] * nodes[n];
-        sums[1] = n == 0 ? slope[0][n] * nodes[n] : sums[1] + slope[0][n] * nodes[n];
+        const Lanes node = spread<Lanes>(nodes[n]);
+        sums[0] = n == 0 ? weight[0][n] * node : multiply_add(weight[0][n], node, sums[0]);
+        sums[1] = n == 0 ? slope[0][n] * node : multiply_add(slope[0][n], node, sums[1]);
       } else {
         Lanes inner[Axes];
         contract<axis>(nodes + n * L.window_stride(axis), inner);
 #pragma GCC unroll 3
         for (int s = 0; s < Axes; ++s)
-          sums[s] = n == 0 ? weight[axis][n] * inner[s] : sums[s] + weight[axis][n] * inner[s];
-        sums[Axes] = n == 0 ? slope[axis][n] * inner[0] : sums[Axes] + slope[axis][n] * inner[0];
+          sums[s] = n == 0 ? weight[axis][n] * inner[s] : multiply_add(weight[axis][n], inner[s], sums[s]);
+        sums[Axes] = n == 0 ? slope[axis][n] * inner[0] : multiply_add(slope[axis][n], inner[0], sums[Axes]);
       }
     }
   }
 
  private:
   Lanes weight[D][Nodes], slope[D][Nodes];
+};
+
+/// Two nodes along each axis: the weights are 1 - p and p, the slopes -1 and 1.
+template <Layout L>
+struct ProductLanes<2, L, ShapeSlopes> {
+  static constexpr int D = L.dimensions;
+  static constexpr int lanes = sizeof(Lanes) / sizeof(Real);
+
+  __attribute__((always_inline)) ProductLanes(const RealScratch& s, int first) {
+#pragma GCC unroll 3
+    for (int axis = 0; axis < D; ++axis) {
+      upper[axis] = load<Lanes>(s.place[axis].values + first);
+      lower[axis] = 1 - upper[axis];
+    }
+  }
+
+  template <int Axes = D>
+  __attribute__((always_inline)) void contract(const Real* nodes, Lanes (&sums)[1 + Axes]) const {
+    constexpr int axis = Axes - 1;
+    if constexpr (axis == 0) {
+      const Lanes left = spread<Lanes>(nodes[0]), right = spread<Lanes>(nodes[1]);
+      sums[0] = multiply_add(upper[0], right, lower[0] * left);
+      sums[1] = right - left;
+    } else {
+      Lanes below[Axes], above[Axes];
+      contract<axis>(nodes, below);
+      contract<axis>(nodes + L.window_stride(axis), above);
+#pragma GCC unroll 3
+      for (int s = 0; s < Axes; ++s) sums[s] = multiply_add(upper[axis], above[s], lower[axis] * below[s]);
+      sums[Axes] = above[0] - below[0];
+    }
+  }
+
+ private:
+  Lanes lower[D], upper[D];
 };
 
 template <class Stencil>

@@ -97,7 +97,8 @@ template <class Shape, Layout L>
 inline void locate(Block& block) {
   for (int axis = 0; axis < L.dimensions; ++axis) {
     locate_along<Shape, L>(block, axis);
-    weigh_along<Shape>(block, axis);
+    // Two nodes' weights follow from the place alone.
+    if constexpr (Shape::nodes > 2) weigh_along<Shape>(block, axis);
     if constexpr (Shape::folds) {
       const double lower = -block.window_first[axis], upper = block.sweep->faces[axis] + lower;
       const bool faces = block.sweep->period[axis] == 0;

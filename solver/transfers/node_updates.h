@@ -17,18 +17,21 @@ inline void update_velocities(NodeBlock& block) {
   NodeSums& sums = *block.collected;
   for (int q = 0; q < block.sum_quantities; ++q) collect<L>(block.sums, q, sums.values[q]);
   double* mass = block.nodes + quantity_mass * tile_nodes;
-  for (int i = 0; i < tile_nodes; ++i) mass[i] = sums.values[quantity_mass][i];
+  alignas(64) double inverse[tile_nodes];
+  for (int i = 0; i < tile_nodes; ++i) {
+    mass[i] = sums.values[quantity_mass][i];
+    inverse[i] = mass[i] > block.least_mass ? 1 / mass[i] : 0;
+  }
   for (int axis = 0; axis < D; ++axis) {
     const double* p = sums.values[quantity(sum_momentum, axis, D)];
     const double* f = sums.values[quantity(sum_force, axis, D)];
     const double* load = sums.values[quantity(sum_load, axis, D)];
     double* a = block.nodes + quantity(node_acceleration, axis, D) * tile_nodes;
     double* u = block.nodes + quantity(node_velocity, axis, D) * tile_nodes;
-    const double kick = block.kick, damping = block.damping, least = block.least_mass;
+    const double kick = block.kick, damping = block.damping;
     for (int i = 0; i < tile_nodes; ++i) {
-      const double inverse = mass[i] > least ? 1 / mass[i] : 0;
-      a[i] = (f[i] + load[i] - damping * p[i]) * inverse;
-      u[i] = p[i] * inverse + kick * a[i];
+      a[i] = (f[i] + load[i] - damping * p[i]) * inverse[i];
+      u[i] = p[i] * inverse[i] + kick * a[i];
     }
   }
 }

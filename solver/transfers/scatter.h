@@ -7,17 +7,16 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Adds what particles give to their nodes to so many quantities from `first` on. give(i) is a function that adds
-/// what particle i gives to a row of nodes, of (weights, slopes[D], sums of the row by quantity). The sums of a
-/// run stay in registers until the nodes change.
-template <class Stencil, Layout L, int Quantities, class Give>
-__attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give) {
+/// Adds what particles give to their nodes. give(i) is a function that adds what particle i gives to a row of
+/// nodes, of (weights, slopes[D], sums of the row). The sums of a run stay in registers until the nodes change;
+/// then add(which, index of the row's first node, sum) is called for each.
+template <class Stencil, int Sums, class Give, class Add>
+__attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& give, Add&& add_sum) {
   using Row = typename Stencil::Row;
   const RealScratch& s = scratch_of(block);
-  double* sums = block.sums + first * L.window_nodes;
   for_each_run(
       block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
-        Row of_run[Stencil::rows][Quantities] = {};
+        Row of_run[Stencil::rows][Sums] = {};
         for (int i = begin; i < end; ++i) {
           const auto give_row = give(i);
           int row = 0;
@@ -27,10 +26,19 @@ __attribute__((always_inline)) inline void scatter(Block& block, int first, Give
         int row = 0;
         Stencil(s, begin).for_each_row([&](int at, Row, const Row*) __attribute__((always_inline)) {
 #pragma GCC unroll 7
-          for (int q = 0; q < Quantities; ++q)
-            Stencil::add_row(sums + q * L.window_nodes + node + at, of_run[row][q]);
+          for (int sum = 0; sum < Sums; ++sum) add_sum(sum, node + at, of_run[row][sum]);
           ++row;
         });
+      });
+}
+
+/// The same with one sum for each quantity, so many from `first` on.
+template <class Stencil, Layout L, int Quantities, class Give>
+__attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give) {
+  double* sums = block.sums + first * L.window_nodes;
+  scatter_rows<Stencil, Quantities>(
+      block, give, [=](int q, std::int64_t at, auto row) __attribute__((always_inline)) {
+        Stencil::add_row(sums + q * L.window_nodes + at, row);
       });
 }
 
@@ -41,19 +49,26 @@ inline void scatter_state(Block& block) {
   using Row = typename Stencil::Row;
   RealScratch& s = scratch_of(block);
   const RealArray* force = s.force_on_nodes();
-  s.trouble.runs += count_runs(block);
-  scatter<Stencil, L, quantities(2, D)>(
-      block, quantity_mass, [&](int i) __attribute__((always_inline)) {
+  s.trouble.runs += Runs(block).count;
+  scatter_rows<Stencil, quantities(2, D)>(
+      block,
+      [&](int i) __attribute__((always_inline)) {
         return [&, i ](Row w, const Row* slope, Row* sums) __attribute__((always_inline)) {
           const Row m = w * Real(block.mass(i));
           sums[quantity_mass] += m;
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) {
-            sums[quantity(sum_momentum, a, D)] += m * component_of(block, Attribute::velocity_x, a)[i];
+            Row& momentum = sums[quantity(sum_momentum, a, D)];
+            momentum = multiply_add(m, spread<Row>(component_of(block, Attribute::velocity_x, a)[i]), momentum);
+            Row& resistance = sums[quantity(sum_force, a, D)];
 #pragma GCC unroll 3
-            for (int b = 0; b < D; ++b) sums[quantity(sum_force, a, D)] -= slope[b] * force[a * D + b][i];
+            for (int b = 0; b < D; ++b)
+              resistance = multiply_add(slope[b], spread<Row>(force[a * D + b][i]), resistance);
           }
         };
+      },
+      [sums = block.sums](int q, std::int64_t at, Row row) __attribute__((always_inline)) {
+        Stencil::add_row(sums + q * L.window_nodes + at, q < quantity(sum_force, 0, D) ? row : -row);
       });
 }
 
@@ -78,7 +93,7 @@ __attribute__((always_inline)) inline void scatter_vector(Block& block, SumVecto
         return [&, i ](Row w, const Row*, Row* sums) __attribute__((always_inline)) {
           const Row m = w * Real(block.mass(i));
 #pragma GCC unroll 3
-          for (int a = 0; a < D; ++a) sums[a] += m * value(a, i);
+          for (int a = 0; a < D; ++a) sums[a] = multiply_add(m, spread<Row>(value(a, i)), sums[a]);
         };
       });
 }

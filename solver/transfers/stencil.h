@@ -79,8 +79,8 @@ struct ProductStencil<2, L, Slopes> {
   __attribute__((always_inline)) ProductStencil(const RealScratch& s, int i) {
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) {
-      const Real place = s.place[axis].values[i];
-      factor[axis] = along(axis, 1 - place, place);
+      const Row place = spread<Row>(s.place[axis].values[i]);
+      factor[axis] = multiply_add(along(axis, -1, 1), place, along(axis, 1, 0));
       if constexpr (std::is_same_v<Slopes, ShapeSlopes>)
         slope[axis] = along(axis, -1, 1);
       else

@@ -18,7 +18,7 @@ template <class Shape, Layout L, class Stencil>
 constexpr AffineKernels affine_kernels() {
   if constexpr (std::is_same_v<Stencil, ProductStencil<Shape::nodes, L>>) {
     using Affine = ProductStencil<Shape::nodes, L, LeverSlopes>;
-    return {&find_levers<Shape::nodes, L.dimensions>, &begin_affine<L.dimensions>, &scatter_affine<Affine, L>,
+    return {&find_levers<Shape, L.dimensions>, &begin_affine<L.dimensions>, &scatter_affine<Affine, L>,
             &gather_affine<Affine, L>, &kick_affine<Affine, L>};
   } else {
     return {};
@@ -50,7 +50,6 @@ inline constexpr TransferKernels transfer_kernels{L,
                                                   &remap<Stencil, L>,
                                                   &reduce_remainder<L>};
 
-/// Shape functions may have faster kernels of their own for some dimensions.
 template <class Shape>
 struct TransferChoice {
   static const TransferKernels* of(Dimension dimension) {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "solver/executors/instruction_set.h"
+#include "solver/transfers/intrinsics.h"
 
 /// Short vectors of numbers.
 namespace trajan {
@@ -12,8 +12,12 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 typedef Real Pair __attribute__((vector_size(2 * sizeof(Real))));
 typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
-/// As many as are handled at once.
+/// As many particles as are handled at once: runs with the same nodes are seldom longer than eight.
+#ifdef __AVX512F__
+using Lanes = Eight;
+#else
 typedef Real Lanes __attribute__((vector_size(32)));
+#endif
 
 /// So many numbers.
 template <class Number, std::size_t count>
@@ -46,6 +50,11 @@ template <class Number, class Value>
 __attribute__((always_inline)) inline void add(Number* to, Value value) {
   const auto as_number = converted<Number>(value);
   store(to, load<std::remove_const_t<decltype(as_number)>>(to) + as_number);
+}
+/// The same number in all lanes.
+template <class Vector, class Number>
+__attribute__((always_inline)) inline Vector spread(Number number) {
+  return number - Vector{};
 }
 /// A pointer of which the compiler forgets where it comes from: it would keep the addresses of all that is read by
 /// it in registers that there are not.

@@ -1,0 +1,74 @@
+#pragma once
+
+#if defined(__FMA__) || defined(__AVX512VL__)
+#include <immintrin.h>
+#endif
+
+#include <cstdint>
+
+#include "solver/executors/instruction_set.h"
+
+/// What compilers do not find by themselves: the only place that names instructions. Each function says in plain
+/// code what it does; where the instruction set has nothing for it, that is what runs.
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+namespace intrinsics {
+#ifdef __FMA__
+__attribute__((always_inline)) inline __m128d fused(__m128d a, __m128d b, __m128d c) {
+  return _mm_fmadd_pd(a, b, c);
+}
+__attribute__((always_inline)) inline __m256d fused(__m256d a, __m256d b, __m256d c) {
+  return _mm256_fmadd_pd(a, b, c);
+}
+__attribute__((always_inline)) inline __m128 fused(__m128 a, __m128 b, __m128 c) { return _mm_fmadd_ps(a, b, c); }
+__attribute__((always_inline)) inline __m256 fused(__m256 a, __m256 b, __m256 c) {
+  return _mm256_fmadd_ps(a, b, c);
+}
+#endif
+#ifdef __AVX512F__
+__attribute__((always_inline)) inline __m512d fused(__m512d a, __m512d b, __m512d c) {
+  return _mm512_fmadd_pd(a, b, c);
+}
+__attribute__((always_inline)) inline __m512 fused(__m512 a, __m512 b, __m512 c) {
+  return _mm512_fmadd_ps(a, b, c);
+}
+#endif
+void fused();  // so that the name is there
+}  // namespace intrinsics
+
+/// a b + c, rounded once where the instruction set has an instruction for that: 20 to 30 % of what scatters and
+/// gathers take.
+template <class Vector>
+__attribute__((always_inline)) inline Vector multiply_add(Vector a, Vector b, Vector c) {
+  if constexpr (requires { intrinsics::fused(a, b, c); })
+    return intrinsics::fused(a, b, c);
+  else
+    return a * b + c;
+}
+
+/// Writes the indices i in 1 .. count - 1 with values[i] != values[i - 1], in order, and returns how many there
+/// are. Without a branch that depends on the values, and with room for 8 indices more.
+inline int find_changes(const std::int64_t* values, int count, std::int32_t* out) {
+  int found = 0;
+#ifdef __AVX512VL__
+  __m256i index = _mm256_setr_epi32(1, 2, 3, 4, 5, 6, 7, 8);
+  for (int i = 1; i < count; i += 8, index = _mm256_add_epi32(index, _mm256_set1_epi32(8))) {
+    const auto there = static_cast<__mmask8>(count - i < 8 ? (1 << (count - i)) - 1 : 255);
+    const __m512i before = _mm512_maskz_loadu_epi64(there, values + i - 1);
+    const __mmask8 changed =
+        _mm512_mask_cmpneq_epi64_mask(there, _mm512_maskz_loadu_epi64(there, values + i), before);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + found), _mm256_maskz_compress_epi32(changed, index));
+    found += __builtin_popcount(changed);
+  }
+#else
+  for (int i = 1; i < count; ++i) {
+    out[found] = i;
+    found += values[i] != values[i - 1];
+  }
+#endif
+  return found;
+}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

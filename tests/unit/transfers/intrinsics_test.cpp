@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "solver/transfers/vectors.h"
+
+/// What names instructions against what it says in plain code.
+namespace trajan::test {
+namespace {
+
+template <class Vector>
+class MultiplyAdd : public testing::Test {};
+using Vectors = testing::Types<Pair, Four, Eight, Lanes>;
+TYPED_TEST_SUITE(MultiplyAdd, Vectors);
+
+TYPED_TEST(MultiplyAdd, IsTheProductPlusTheTermInEveryLaneRoundedOnceOrTwice) {
+  TypeParam a, b, c;
+  const int lanes = sizeof a / sizeof a[0];
+  for (int i = 0; i < lanes; ++i) {
+    a[i] = static_cast<Real>(1.1 + i);
+    b[i] = static_cast<Real>(0.3 - i);
+    c[i] = static_cast<Real>(7.7 * i - 2);
+  }
+  const TypeParam sum = multiply_add(a, b, c);
+  for (int i = 0; i < lanes; ++i) {
+    const Real once = std::fma(a[i], b[i], c[i]);
+    const volatile Real product = a[i] * b[i];
+    EXPECT_TRUE(sum[i] == once || sum[i] == product + c[i]) << i;
+  }
+}
+
+TEST(Spread, HasTheNumberInEveryLaneWithItsSign) {
+  const Eight zero = spread<Eight>(Real{-0.0});
+  for (int i = 0; i < 8; ++i) EXPECT_TRUE(std::signbit(zero[i])) << i;
+  EXPECT_EQ(spread<Four>(Real{3.5})[3], Real{3.5});
+}
+
+TEST(FindChanges, FindsTheFirstOfEveryRunOfEqualValuesWhateverTheirNumber) {
+  for (int count = 1; count < 40; ++count)
+    for (int period = 1; period < 12; ++period) {
+      std::vector<std::int64_t> values;
+      std::vector<std::int32_t> expected;
+      for (int i = 0; i < count; ++i) {
+        values.push_back(i / period % 3);
+        if (i > 0 && values[i] != values[i - 1]) expected.push_back(i);
+      }
+      std::vector<std::int32_t> found(values.size() + 8, -1);
+      found.resize(static_cast<std::size_t>(find_changes(values.data(), count, found.data())));
+      EXPECT_EQ(found, expected) << count << ' ' << period;
+    }
+}
+
+}  // namespace
+}  // namespace trajan::test
