@@ -164,20 +164,32 @@ void ImplicitSteps::give_up() const {
     diverge("the loads do not change with time at " + where() + ": no path leads on from there",
             "let loads grow until analysis.end_time, for example by time { ramp { duration: " +
                 std::to_string(model_.end_time) + " } }");
+  const std::string beyond = "no equilibrium is found beyond " + where() + ": ";
   if (newton_->failure() == Failure::no_answer) {
     const std::int64_t body = balance_->trouble().body;
-    diverge("however short the step, particles " +
-                (body < 0 ? "" : "of body " + quoted(model_.bodies[static_cast<std::size_t>(body)].name) + " ") +
-                "lose their positive volume beyond " + where(),
-            "take a finer grid or a material that bears such a deformation, or apply less load");
+    diverge(
+        beyond + "however short the step, particles " +
+            (body < 0 ? "" : "of body " + quoted(model_.bodies[static_cast<std::size_t>(body)].name) + " ") +
+            "lose their positive volume",
+        "apply less load, trace the path by analysis.quasi_static.arc_length, or take a finer grid or a material "
+        "that bears such a deformation");
   }
   if (newton_->failure() == Failure::singular || !newton_->factors().positive_definite)
-    diverge("the stiffness of " + largest_place(model_, view_->on, newton_->weakest()) + " is lost at " + where() +
-                ": there is no equilibrium beside this one, or more than one",
+    diverge(beyond + "the stiffness of " + largest_place(model_, view_->on, newton_->weakest()) +
+                " is lost, and there is none beside this one, or more than one",
             "apply less load, or trace the path by analysis.quasi_static.arc_length");
+  give_up_on_balance(beyond);
+}
+
+void ImplicitSteps::give_up_on_balance(const std::string& beyond) const {
+  const std::string most = "most of it in " + largest_place(model_, view_->on, newton_->missing());
+  const double left = newton_->residuals().back(), rounding = newton_->rounding(model_.grid.cell);
+  if (left <= rounding)
+    diverge(beyond + "rounding alone leaves " + number_text(left) + " of the forces unbalanced, " + most +
+                ", which is too stiff for such loads",
+            "accept newton.tolerance: " + number_text(rounding) + ", or give stiffnesses that are less apart");
   diverge(
-      "Newton's method finds no balance of forces beyond " + where() + "; most is missing in " +
-          largest_place(model_, view_->on, newton_->missing()),
+      beyond + "Newton's method leaves " + number_text(left) + " of the forces unbalanced, " + most,
       "allow more newton.most_iterations or shorter steps; a path is traced by analysis.quasi_static.arc_length");
 }
 

@@ -51,6 +51,8 @@ class ImplicitSteps : public Stepper {
   void cut();
   void refuse_free_motion() const;
   [[noreturn]] void give_up() const;
+  /// What is known of a balance that is not found.
+  [[noreturn]] void give_up_on_balance(const std::string& beyond) const;
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
 
   const Model& model_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/implicit/reduction.h"
 
@@ -64,6 +65,14 @@ Eigen::VectorXd NewtonIterations::weakest() const {
 
 Eigen::VectorXd NewtonIterations::missing() const {
   return balance_.constraints().expand() * balance_.reduced_residual();
+}
+
+double NewtonIterations::rounding(double cell) const {
+  const double scale = std::max(balance_.scale(), prescribed_scale_);
+  if (!(scale > 0)) return 0;
+  const SparseMatrix& tangent = balance_.tangent();
+  const Eigen::VectorXd rows = tangent.cwiseAbs() * Eigen::VectorXd::Constant(tangent.cols(), cell);
+  return std::numeric_limits<double>::epsilon() * rows.norm() / scale;
 }
 
 NewtonIterations::State NewtonIterations::judge() {

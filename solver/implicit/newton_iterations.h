@@ -29,6 +29,9 @@ class NewtonIterations {
   Eigen::VectorXd weakest() const;
   /// The forces of all unknowns that are missing for balance, but reactions.
   Eigen::VectorXd missing() const;
+  /// What the rounding of strains, which are differences of numbers about 1, leaves of the forces at most, as a
+  /// share of those that balance. `cell` is the size of one.
+  double rounding(double cell) const;
 
  protected:
   State fail(Failure why);

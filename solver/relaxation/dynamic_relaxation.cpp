@@ -9,6 +9,7 @@
 #include "solver/schemes/schemes.h"
 #include "solver/schemes/time_step.h"
 #include "solver/simulation/diverged.h"
+#include "solver/simulation/fastest_particle.h"
 
 namespace trajan {
 namespace {
@@ -201,7 +202,8 @@ void DynamicRelaxation::watch_progress(bool peak) {
   cause << (stuck ? "the relaxation is stuck" : "the relaxation has not come to rest") << " after "
         << steps_of_level_ << " steps of a load level: unbalanced forces are " << residual_
         << " of the external ones, at best " << least_;
-  throw Diverged({number_, until_, -1, cause.str(),
+  const Slot fastest = fastest_particle(executor_, grid_axes(model_.dimension));
+  throw Diverged({number_, until_, particle_number(model_, executor_, fastest), cause.str(),
                   stuck ? remedy_of_stuck(model_)
                         : "allow more analysis.relaxation.most_steps; a body that no boundary holds never rests"});
 }

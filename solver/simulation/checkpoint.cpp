@@ -107,7 +107,7 @@ Checkpoint Simulation::save() {
   const Exchanged& exchanged = account.exchanged();
   checkpoint.arrays.push_back(
       {"energies", std::vector<double>{exchanged.work, exchanged.dissipated, exchanged.contact, initial_energy_,
-                                       largest_energy_, largest_input_}});
+                                       largest_energy_, largest_input_, largest_internal_energy_}});
   if (stepper_) stepper_->save(checkpoint);
   return checkpoint;
 }
@@ -142,6 +142,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
   initial_energy_ = energies[3];
   largest_energy_ = energies[4];
   largest_input_ = energies[5];
+  largest_internal_energy_ = energies[6];
   sample_ = checkpoint.sample;
   steps_ = checkpoint.step;
   coherence_.resume(steps_);

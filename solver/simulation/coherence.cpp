@@ -10,7 +10,7 @@
 namespace trajan {
 namespace {
 
-/// A check takes as long as a few steps: less than a hundredth of so many.
+/// Finding groups takes as long as a few steps: less than a hundredth of so many.
 constexpr std::int64_t steps_between = 500;
 
 /// In cells: particles this far apart in the direction in which they are stretched most leave every third cell
@@ -77,7 +77,9 @@ Coherence::Cell Coherence::cell_of(const BodyParticles& body, std::size_t slot) 
   Cell key = 0;
   for (int axis = 0; axis < axes_; ++axis) {
     const double at = body.component(Attribute::position_x, axis)[slot];
-    auto cell = static_cast<std::int64_t>(std::floor((at - origin[axis]) / model_.grid.cell));
+    // A run that goes bad may have lost particles anywhere, also between numbers.
+    const double from = std::floor((at - origin[axis]) / model_.grid.cell);
+    auto cell = std::abs(from) < static_cast<double>(middle) ? static_cast<std::int64_t>(from) : 0;
     const std::int64_t cells = model_.grid.cells()[static_cast<std::size_t>(axis)];
     if (model_.grid.periodic[static_cast<std::size_t>(axis)]) cell = (cell % cells + cells) % cells;
     key |= (static_cast<Cell>(cell) + middle) << bits * axis;
@@ -130,10 +132,10 @@ Coherence::Groups Coherence::groups(const BodyParticles& body) const {
 std::optional<Warning> Coherence::check(std::int64_t step, double time, bool due) {
   const bool passed = step / steps_between != last_sample_ / steps_between;
   last_sample_ = step;
-  if (!passed && !due) return std::nullopt;
   for (std::size_t b = 0; b < groups_at_first_.size(); ++b) {
     if (groups_at_first_[b] == 0) continue;
-    std::optional<Warning> found = check(b);
+    std::optional<Warning> found = check_gaps(b);
+    if (!found && (passed || due)) found = check_groups(b);
     if (!found) continue;
     groups_at_first_[b] = 0;
     found->step = step;
@@ -143,25 +145,28 @@ std::optional<Warning> Coherence::check(std::int64_t step, double time, bool due
   return std::nullopt;
 }
 
-std::optional<Warning> Coherence::check(std::size_t b) const {
+/// Costs no more than a step.
+std::optional<Warning> Coherence::check_gaps(std::size_t b) const {
   const BodyParticles& body = executor_.bodies()[b];
-  if (!stretches_with_particles_ && body.has(Attribute::deformation_xx)) {
-    double widest = 0;
-    std::size_t slot = 0;
-    for (std::size_t i = 0; i < body.size(); ++i)
-      for (int edge = 0; edge < axes_; ++edge) {
-        double square = 0;
-        for (int axis = 0; axis < axes_; ++axis)
-          square += std::pow(body.value(Attribute::deformation_xx, 3 * axis + edge, i), 2);
-        const double apart = 2 * body.constants.half_size[edge] * std::sqrt(square);
-        if (apart > widest) widest = apart, slot = i;
-      }
-    if (widest > widest_gap)
-      return warning(b, slot,
-                     "is stretched until its particles are " + rounded(widest) +
-                         " cells apart: there are holes that the shape functions do not see");
-  }
-  const Groups now = groups(body);
+  if (stretches_with_particles_ || !body.has(Attribute::deformation_xx)) return std::nullopt;
+  double widest = 0;
+  std::size_t slot = 0;
+  for (std::size_t i = 0; i < body.size(); ++i)
+    for (int edge = 0; edge < axes_; ++edge) {
+      double square = 0;
+      for (int axis = 0; axis < axes_; ++axis)
+        square += std::pow(body.value(Attribute::deformation_xx, 3 * axis + edge, i), 2);
+      const double apart = 2 * body.constants.half_size[edge] * std::sqrt(square);
+      if (apart > widest) widest = apart, slot = i;
+    }
+  if (!(widest > widest_gap)) return std::nullopt;
+  return warning(b, slot,
+                 "is stretched until its particles are " + rounded(widest) +
+                     " cells apart: there are holes that the shape functions do not see");
+}
+
+std::optional<Warning> Coherence::check_groups(std::size_t b) const {
+  const Groups now = groups(executor_.bodies()[b]);
   if (now.count <= groups_at_first_[b]) return std::nullopt;
   return warning(b, now.slot,
                  "has come apart into " + std::to_string(now.count) +

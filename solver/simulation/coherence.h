@@ -17,8 +17,8 @@ class Coherence {
  public:
   Coherence(const Model& model, const Executor& executor);
 
-  /// To be called at samples. Looks at all particles, which takes as long as some steps, if many have passed or it
-  /// is `due`. A body that has come apart is found once.
+  /// To be called at samples. Looks for gaps between particles, and for pieces, which takes as long as some steps,
+  /// if many have passed or it is `due`. A body that has come apart is found once.
   std::optional<Warning> check(std::int64_t step, double time, bool due);
   /// The step of the sample that a run goes on from.
   void resume(std::int64_t step) { last_sample_ = step; }
@@ -33,7 +33,8 @@ class Coherence {
   bool is_watched(const Body& body) const;
   Cell cell_of(const BodyParticles& body, std::size_t slot) const;
   Groups groups(const BodyParticles& body) const;
-  std::optional<Warning> check(std::size_t body) const;
+  std::optional<Warning> check_gaps(std::size_t body) const;
+  std::optional<Warning> check_groups(std::size_t body) const;
   Warning warning(std::size_t body, std::size_t slot, const std::string& cause) const;
 
   const Model& model_;

@@ -76,7 +76,8 @@ void Executor::diverge(const std::string& cause, const std::string& remedy) cons
   divergence.cause = cause;
   divergence.remedy = remedy;
   // Nodes of nearly no mass accelerate without bound where stress is updated from their velocities.
-  if (model_.numerics.scheme == "USL") divergence.remedy += ", or numerics.scheme: \"MUSL\"";
+  if (model_.numerics.scheme == "USL" && remedy.find("MUSL") == std::string::npos)
+    divergence.remedy += ", or numerics.scheme: \"MUSL\"";
   throw Diverged(divergence);
 }
 

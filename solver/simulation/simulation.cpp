@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "solver/implicit/steppers.h"
+#include "solver/model/names.h"
+#include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/schemes/time_step.h"
 #include "solver/simulation/diverged.h"
+#include "solver/simulation/fastest_particle.h"
+#include "solver/simulation/locking.h"
 
 namespace trajan {
 namespace {
@@ -15,8 +20,42 @@ namespace {
 /// ones stay at some hundredths; instability multiplies energies, so that the bound only decides how early it is
 /// seen.
 constexpr double most_energy_from_nowhere = 0.5;
-/// From here on numbers are doubtful: velocities are off by half as much.
-constexpr double doubtful_energy_from_nowhere = 0.05;
+/// From here on numbers are doubtful: velocities are off by half as much. What is lost disturbs less, and some
+/// schemes and transfers always lose some.
+struct Doubt {
+  double from_nowhere, lost;
+};
+constexpr Doubt of_motion = {0.03, 0.15};
+/// Work along load steps is added up by the trapezoidal rule; one that jumps to another equilibrium loses far
+/// more.
+constexpr Doubt of_load_steps = {0.05, 0.2};
+/// Of all energy; less of it in strains and relative motion is mere rounding, grown over a run.
+constexpr double least_internal_energy = 1e-6;
+
+/// Whether the energies of a run mean anything: a relaxation makes inertia as it likes, and PIC is taken to lose
+/// them.
+bool keeps_energy(const Model& model) {
+  const bool takes = model.numerics.transfer == "PIC" || model.numerics.flip_fraction.value_or(1) < 1;
+  return !std::holds_alternative<Relaxation>(model.analysis) && !takes;
+}
+
+/// What helps where energy comes from nowhere or goes there.
+std::string remedy_of_energy(const Model& model, bool lost = false) {
+  const Numerics& numerics = model.numerics;
+  if (lost && numerics.transfer != "FLIP")
+    return "take smaller cells, or numerics.transfer: \"FLIP\", which smooths nothing";
+  if (numerics.scheme == "USL")
+    return "choose numerics.scheme: \"MUSL\": nodes of next to no mass are not safe in \"USL\", which loses "
+           "energy too";
+  if (numerics.shape_functions == "linear" && !is_total_lagrangian(numerics.scheme))
+    return "choose numerics.shape_functions: \"quadratic_bspline\" or numerics.scheme: \"TLMPM\": gradients of "
+           "linear functions jump where particles enter other cells";
+  if (numerics.scheme == "MUSL" || numerics.scheme == "USF")
+    return "choose numerics.scheme: \"USAVG\", which errs less, \"TLMPM\", or a smaller "
+           "numerics.time_step_fraction: half of it makes a quarter";
+  return "take a smaller numerics.time_step_fraction or smaller cells; where strains are large, a law of finite "
+         "strain such as \"neo_hookean\", for those in rate form have no energy of their own";
+}
 
 }  // namespace
 
@@ -67,7 +106,24 @@ void Simulation::begin_interval() {
   time_step_ = interval / static_cast<double>(steps_in_interval_);
 }
 
+/// What looks like a wild particle is often one of a body that has come apart.
+Divergence Simulation::explained(Divergence divergence) {
+  const std::optional<Warning> broken = stepper_ ? std::nullopt : coherence_.check(steps_, divergence.time, true);
+  if (!broken) return divergence;
+  divergence.cause += ": " + broken->cause;
+  divergence.remedy = broken->remedy;
+  return divergence;
+}
+
 bool Simulation::step() {
+  try {
+    return advance();
+  } catch (const Diverged& diverged) {
+    throw Diverged(explained(diverged.divergence()));
+  }
+}
+
+bool Simulation::advance() {
   if (!(stepper_ ? stepper_->advance(sample_time(sample_ + 1), steps_++) : step_explicitly())) return false;
   ++sample_;
   totals_ = executor_.totals();
@@ -123,24 +179,60 @@ void Simulation::measure() {
   for (const Reaction& of_body : reactions.subspan(model_.conditions.size())) record_force(of_body);
   if (stepper_) stepper_->record(columns_);
   largest_input_ = std::max({largest_input_, std::abs(initial_energy_), std::abs(work)});
-  from_nowhere_ = largest_input_ > 0 ? from_nowhere / largest_input_ : 0.0;
+  largest_internal_energy_ =
+      std::max({largest_internal_energy_, std::abs(work), least_internal_energy * largest_energy_,
+                total - common_energy() - std::max(from_nowhere, 0.0)});
+  from_nowhere_ = largest_internal_energy_ > 0 ? from_nowhere / largest_internal_energy_ : 0.0;
   if (from_nowhere <= most_energy_from_nowhere * largest_input_) return;
-  executor_.diverge("energy has come from nowhere, " + std::to_string(from_nowhere_) +
+  executor_.diverge("energy has come from nowhere, " + std::to_string(from_nowhere / largest_input_) +
                         " times what went in: the motion is not stable",
-                    "take a smaller numerics.time_step_fraction");
+                    remedy_of_energy(model_));
+}
+
+/// Of a motion of all particles together, in which nothing can go wrong.
+double Simulation::common_energy() const {
+  double square = 0;
+  for (int axis = 0; axis < grid_axes(model_.dimension); ++axis) {
+    const bool radial = model_.dimension == Dimension::axisymmetric && axis == 0;
+    if (!radial) square += totals_.momentum[axis] * totals_.momentum[axis];
+  }
+  double mass = 0;
+  for (const BodyParticles& body : executor_.bodies()) {
+    const std::vector<double>& volumes = body[Attribute::reference_volume];
+    mass += volumes.empty() ? body.constants.mass * static_cast<double>(body.size())
+                            : body.constants.density * std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  }
+  return 0.5 * square / mass;
+}
+
+std::optional<Warning> Simulation::energy_warning() {
+  const bool statics = std::holds_alternative<QuasiStatic>(model_.analysis);
+  const Doubt& doubt = statics ? of_load_steps : of_motion;
+  const bool doubtful = from_nowhere_ > doubt.from_nowhere || from_nowhere_ < -doubt.lost;
+  if (told_of_energy_ || !doubtful || !keeps_energy(model_)) return std::nullopt;
+  told_of_energy_ = true;
+  const Slot fastest = fastest_particle(executor_, grid_axes(model_.dimension));
+  Warning warning;
+  warning.step = steps_;
+  warning.time = time();
+  warning.particle = particle_number(model_, executor_, fastest);
+  warning.place = fields_.position(fastest);
+  warning.cause = from_nowhere_ > 0 ? "energy has come from nowhere, " : "energy is missing, ";
+  warning.cause += std::to_string(std::abs(from_nowhere_)) + " times what is in strains and relative motion";
+  if (statics && from_nowhere_ < 0) {
+    warning.cause += ": body " + quoted(model_.bodies[fastest.body].name) +
+                     " or another one jumps to another equilibrium, or load steps are too long";
+    warning.remedy = "take more analysis.quasi_static.load_steps, or trace the path by arc_length";
+  } else {
+    warning.remedy = remedy_of_energy(model_, from_nowhere_ < 0);
+  }
+  return warning;
 }
 
 std::optional<Warning> Simulation::warning() {
-  if (from_nowhere_ > doubtful_energy_from_nowhere && !told_of_energy_) {
-    told_of_energy_ = true;
-    Warning warning;
-    warning.step = steps_;
-    warning.time = time();
-    warning.cause = "energy has come from nowhere, " + std::to_string(from_nowhere_) + " times what went in";
-    warning.remedy =
-        "take a smaller numerics.time_step_fraction, smoother numerics.shape_functions or a transfer that smooths";
-    return warning;
-  }
+  if (sample_ == 0)
+    if (std::optional<Warning> locking = warning_of_locking(model_)) return locking;
+  if (std::optional<Warning> energy = energy_warning()) return energy;
   return coherence_.check(steps_, time(), sample_ == model_.outputs.samples);
 }
 

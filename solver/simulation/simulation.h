@@ -51,8 +51,12 @@ class Simulation {
   double sample_time(std::int64_t sample) const;
   double last_interval() const;
   void begin_interval();
+  bool advance();
   bool step_explicitly();
+  Divergence explained(Divergence divergence);
   void measure();
+  double common_energy() const;
+  std::optional<Warning> energy_warning();
   void probe();
   void follow_probes();
   /// A field's columns of a probe, whose particles are those from `first` on of all probed ones.
@@ -69,8 +73,9 @@ class Simulation {
   double time_step_ = 0;
   Totals totals_;
   double initial_energy_ = 0, largest_energy_ = 0, balance_error_ = 0;
-  double largest_input_ = 0;  ///< of initial energy and work so far
-  double from_nowhere_ = 0;   ///< energy that neither went in nor was there, over that
+  double largest_input_ = 0;            ///< of initial energy and work so far
+  double largest_internal_energy_ = 0;  ///< in strains and relative motion, or work
+  double from_nowhere_ = 0;             ///< energy that neither went in nor was there, over that
   bool told_of_energy_ = false;
   std::vector<double> columns_;
   /// Probed particles in the order of the scene, with their reference positions and places in memory.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "solver/simulation/executor.h"
+
+namespace trajan {
+
+/// Where to look first when a motion as a whole goes wrong.
+inline Slot fastest_particle(const Executor& executor, int axes) {
+  Slot fastest;
+  double largest = -1;
+  for (std::uint32_t b = 0; b < executor.bodies().size(); ++b) {
+    const BodyParticles& body = executor.bodies()[b];
+    for (std::uint32_t i = 0; i < body.size(); ++i) {
+      double square = 0;
+      for (int axis = 0; axis < axes; ++axis) {
+        const double v = body.component(Attribute::velocity_x, axis)[i];
+        square += v * v;
+      }
+      if (square > largest) largest = square, fastest = {b, i};
+    }
+  }
+  return fastest;
+}
+
+/// Of a particle among those of all bodies, as outputs count them.
+inline std::int64_t particle_number(const Model& model, const Executor& executor, const Slot& particle) {
+  return model.bodies[particle.body].first_particle + executor.bodies()[particle.body].number[particle.index];
+}
+
+}  // namespace trajan
