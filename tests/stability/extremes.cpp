@@ -3,18 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/model/names.h"
+
 namespace trajan::stability {
 
 bool Attempt::says_why() const {
   if (!model) return !diagnosis.empty();
-  return result.divergence && result.divergence->step > 0 && !result.divergence->cause.empty() &&
-         !result.divergence->remedy.empty();
+  const bool seeks_equilibrium = std::holds_alternative<QuasiStatic>(model->analysis);
+  const auto says = [&](const auto& what) {
+    const bool has_place = seeks_equilibrium ? what.cause.find("body \"") != std::string::npos
+                                             : what.particle >= 0 && what.particle < model->particle_count();
+    return what.step >= 0 && has_place && !what.cause.empty() && !what.remedy.empty();
+  };
+  return result.divergence ? says(*result.divergence) : result.warning && says(*result.warning);
 }
 
 std::vector<double> Attempt::history(const std::string& column) const {
   const std::size_t index = test::column(*model, column);
   std::vector<double> values;
-  for (const std::vector<double>& row : memory.rows) values.push_back(row[index]);
+  for (std::size_t row = 0; row < memory.rows.size(); ++row) {
+    const bool doubtful = result.warning && result.warning->time > 0 && memory.times[row] >= result.warning->time;
+    if (row == 0 || !doubtful) values.push_back(memory.rows[row][index]);
+  }
   return values;
 }
 
@@ -28,8 +38,11 @@ Attempt attempt(const Scene& scene, const ModelChange& change) {
   }
   if (change) change(*attempt.model);
   attempt.result = run(*attempt.model, {}, attempt.memory, nullptr);
-  if (attempt.result.divergence)
-    attempt.diagnosis = attempt.result.divergence->cause + "; " + attempt.result.divergence->remedy;
+  const auto tell = [&](const auto& what) {
+    attempt.diagnosis = "at time " + number_text(what.time) + ": " + what.cause + "; " + what.remedy;
+  };
+  if (attempt.result.warning) tell(*attempt.result.warning);
+  if (attempt.result.divergence) tell(*attempt.result.divergence);
   return attempt;
 }
 
@@ -37,6 +50,8 @@ std::string_view name(Verdict verdict) {
   switch (verdict) {
     case Verdict::holds:
       return "holds";
+    case Verdict::warned:
+      return "warned";
     case Verdict::stopped:
       return "stopped";
     case Verdict::refused:
@@ -51,16 +66,20 @@ Row judge(const Extreme& extreme) {
   const Attempt tried = attempt(extreme.scene, extreme.change);
   Row row;
   row.diagnosis = tried.diagnosis;
+  const bool doubtful = !tried.finished() || tried.result.warning;
+  if (doubtful && (!tried.says_why() || row.diagnosis.find(extreme.says) == std::string::npos)) return row;
   if (!tried.finished()) {
     const bool expected = tried.model ? extreme.may_stop
                                       : !extreme.refused_for.empty() &&
                                             tried.diagnosis.find(extreme.refused_for) != std::string::npos;
-    if (!tried.says_why() || !expected) return row;
-    row.verdict = tried.model ? Verdict::stopped : Verdict::refused;
+    if (expected) row.verdict = tried.model ? Verdict::stopped : Verdict::refused;
     return row;
   }
+  if (!extreme.figure) return row;
   row.figure = extreme.figure(tried);
-  if (std::abs(*row.figure) <= extreme.bound) row.verdict = Verdict::holds;
+  const bool warned_first = doubtful && tried.result.warning->time == 0;
+  if (!(std::abs(*row.figure) <= extreme.bound || warned_first) || (doubtful && !extreme.may_stop)) return row;
+  row.verdict = doubtful ? Verdict::warned : Verdict::holds;
   return row;
 }
 

@@ -9,8 +9,8 @@
 #include "solver/model/validate.h"
 #include "tests/unit/simulation/scenes.h"
 
-/// What happens to scenes where numerical methods break: each run stays within its bound, or is refused or stopped
-/// with a diagnosis. Never a wrong number in silence.
+/// What happens to scenes where numerical methods break: each run stays within its bound, or warns before it
+/// leaves it, or is refused or stopped with a diagnosis. Never a wrong number in silence.
 namespace trajan::stability {
 
 /// What became of a scene.
@@ -18,12 +18,14 @@ struct Attempt {
   std::optional<Model> model;  ///< empty: refused
   RunResult result;
   test::Memory memory;
-  std::string diagnosis;  ///< why it was refused or stopped: cause and remedy
+  std::string diagnosis;  ///< why it was refused, stopped or warned: cause and remedy
 
   bool finished() const { return model && result.end == RunEnd::finished; }
-  /// Whether a run that was refused or stopped says where (field, or step and particle), why and what to do.
+  /// Whether a run that was refused, stopped or warned says where (field, or step and particle; a body, where an
+  /// equilibrium was sought), why and what to do.
   bool says_why() const;
-  /// The history of a column. Throws std::invalid_argument if there is none of this name.
+  /// The history of a column, up to where the run itself says that it is doubtful (all of it, if from the
+  /// beginning). Throws std::invalid_argument if there is none of this name.
   std::vector<double> history(const std::string& column) const;
   double last(const std::string& column) const { return history(column).back(); }
 };
@@ -40,12 +42,13 @@ enum class Size { quick, whole };
 /// One scene at an extreme, and what must hold of it.
 struct Extreme {
   std::string name;
-  std::string claim;  ///< what the figure is
-  double bound = 0;   ///< of the figure's magnitude
-  bool may_stop = false;
+  std::string claim;             ///< what the figure is
+  double bound = 0;              ///< of the figure's magnitude
+  bool may_stop = false;         ///< or warn; the figure is of what was before
+  std::string says = {};         ///< what its diagnosis must say; empty: anything
   std::string refused_for = {};  ///< the field that may be refused; empty: none
   Scene scene;
-  std::function<double(const Attempt&)> figure;
+  std::function<double(const Attempt&)> figure;  ///< empty: the run must not come to its end
   ModelChange change = {};
 };
 
@@ -56,7 +59,7 @@ struct Case {
 };
 const std::vector<Case>& cases();
 
-enum class Verdict { holds, stopped, refused, wrong };
+enum class Verdict { holds, warned, stopped, refused, wrong };
 std::string_view name(Verdict verdict);
 
 struct Row {

@@ -12,11 +12,20 @@ struct Keeping {
   bool keeps;
 };
 /// FLIP keeps energy but for leapfrog's swaps, save under USL, which takes some (Bardenhagen 2002); the others
-/// smooth velocities in every step, and may take all of it.
-constexpr Keeping kinds[] = {{"USF", "linear", "FLIP", true},    {"MUSL", "linear", "FLIP", true},
-                             {"TLMPM", "linear", "FLIP", true},  {"MUSL", "quadratic_bspline", "FLIP", true},
-                             {"USL", "linear", "FLIP", false},   {"MUSL", "quadratic_bspline", "APIC", false},
-                             {"TLMPM", "linear", "APIC", false}, {"MUSL", "linear", "XPIC", false}};
+/// smooth velocities in every step, and may take all of it. MUSL and USF take gradients at one end of each step,
+/// where moving particles see others than in its middle: of smooth functions that makes energy, and they warn.
+constexpr Keeping kinds[] = {{"USF", "linear", "FLIP", true},
+                             {"MUSL", "linear", "FLIP", true},
+                             {"TLMPM", "linear", "FLIP", true},
+                             {"MUSL", "quadratic_bspline", "FLIP", true},
+                             {"USF", "quadratic_bspline", "FLIP", true},
+                             {"USAVG", "linear", "FLIP", true},
+                             {"USAVG", "quadratic_bspline", "FLIP", true},
+                             {"TLMPM", "quadratic_bspline", "FLIP", true},
+                             {"USL", "linear", "FLIP", false},
+                             {"MUSL", "quadratic_bspline", "APIC", false},
+                             {"TLMPM", "linear", "APIC", false},
+                             {"MUSL", "linear", "XPIC", false}};
 
 double drift(const Attempt& run) {
   const std::vector<double> total = run.history("energies.total");
@@ -33,7 +42,10 @@ std::vector<Extreme> long_runs(Size size) {
     extreme.name = std::string(kind.scheme) + " " + kind.shape_functions + " " + kind.transfer + ", " +
                    std::to_string(static_cast<int>(steps)) + " steps";
     extreme.claim = kind.keeps ? "drift of the energy" : "growth of the energy";
-    extreme.bound = 0.02;
+    extreme.may_stop = kind.shape_functions == std::string("quadratic_bspline") &&
+                       (kind.scheme == std::string("MUSL") || kind.scheme == std::string("USF"));
+    // What makes energy warns from 0.03 on.
+    extreme.bound = extreme.may_stop ? 0.03 : 0.02;
     Scene& scene = extreme.scene;
     scene = test::bar(kind.scheme, "linear_elastic", 0.5, 0.01);
     scene.domain = {Dimension::bar, {-2}, {12}, 0.5, {}};

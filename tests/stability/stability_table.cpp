@@ -1,12 +1,15 @@
 // Tries scenes at the extremes and prints, as a Markdown table, what must hold of each, what was found and the
 // verdict.
 //   stability_table [--whole] [CASE…]      --whole: also what takes minutes
+//   stability_table --random NUMBER        tries so many random scenes instead (tests/stability/luck.h)
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 
 #include "tests/stability/extremes.h"
+#include "tests/stability/luck.h"
 
 namespace trajan::stability {
 namespace {
@@ -32,6 +35,7 @@ int print(const Case& kind, Size size) {
 int main(int argc, char** argv) {
   using namespace trajan::stability;
   const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 2 && words[0] == "--random") return !try_luck(std::atoi(words[1].c_str()));
   const bool whole = std::ranges::count(words, "--whole") > 0;
   const bool all = words.size() == static_cast<std::size_t>(whole);
   int wrong = 0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/stability/extremes.h"
+#include "tests/stability/luck.h"
 
 namespace trajan::stability {
 namespace {
@@ -17,6 +18,8 @@ TEST_P(Stability, EveryRunHoldsItsBoundOrSaysWhyNot) {
         << extreme.bound << " is right; " << row.diagnosis;
   }
 }
+
+TEST(Luck, RandomScenesKeepTheirPromisesOrSayWhyNot) { EXPECT_TRUE(try_luck(50)); }
 
 }  // namespace
 }  // namespace trajan::stability
