@@ -78,7 +78,9 @@ Row judge(const Extreme& extreme) {
   if (!extreme.figure) return row;
   row.figure = extreme.figure(tried);
   const bool warned_first = doubtful && tried.result.warning->time == 0;
-  if (!(std::abs(*row.figure) <= extreme.bound || warned_first) || (doubtful && !extreme.may_stop)) return row;
+  if (!(std::abs(*row.figure) <= extreme.bound || warned_first) ||
+      (doubtful && !extreme.may_stop && !extreme.may_warn))
+    return row;
   row.verdict = doubtful ? Verdict::warned : Verdict::holds;
   return row;
 }

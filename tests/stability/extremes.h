@@ -45,6 +45,7 @@ struct Extreme {
   std::string claim;             ///< what the figure is
   double bound = 0;              ///< of the figure's magnitude
   bool may_stop = false;         ///< or warn; the figure is of what was before
+  bool may_warn = false;         ///< likewise
   std::string says = {};         ///< what its diagnosis must say; empty: anything
   std::string refused_for = {};  ///< the field that may be refused; empty: none
   Scene scene;

@@ -45,7 +45,7 @@ void add_limit_load(std::vector<Extreme>& extremes) {
     extreme.scene = block(Dimension::bar, "st_venant_kirchhoff", 2, load_steps);
     extreme.scene.loads = {growing({-100 / std::sqrt(27) / 0.8, 0})};
     // Cuts of a step find it to six digits.
-    extreme.says = "no equilibrium is found beyond the load factor 0.800000";
+    extreme.says = "the load factor 0.800000";
     extreme.may_stop = true;
     extremes.push_back(extreme);
   }

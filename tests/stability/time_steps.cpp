@@ -55,8 +55,9 @@ Extreme at_step(Dimension dimension, const char* space, std::string_view scheme,
   // Gradients of linear functions jump at faces (Bardenhagen and Kober 2004), and where stress follows from the
   // velocities of nodes with next to no mass, these run away (dissertation, section 3.2.2): energy comes from
   // nowhere with any step.
-  const bool crosses = shape == "linear" && place.at_faces && scheme != "TLMPM";
+  const bool crosses = shape == "linear" && place.at_faces;
   extreme.may_stop = fraction > 1 || crosses || scheme == "USL";
+  extreme.may_warn = true;            // of what leapfrog swaps
   extreme.refused_for = "numerics.";  // not every shape function goes with every scheme
   extreme.change = [fraction](Model& model) {
     model.numerics.time_step = fraction * time_step_limit(model).value;
