@@ -34,7 +34,7 @@ void append(Block& block, BlockStencils& out) {
 /// As `locate`, with splines that keep their degree up to faces of the domain. Particles are sorted.
 template <class Shape, Layout L>
 void locate_to_faces(Block& block) {
-  Scratch& s = *block.scratch;
+  RealScratch& s = scratch_of(block);
   const SweepConstants& c = *block.sweep;
   const PointFunctions& functions = point_functions(Shape::name);
   for (int axis = 0; axis < L.dimensions; ++axis) {
