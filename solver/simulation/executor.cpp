@@ -1,8 +1,10 @@
 #include "solver/simulation/executor.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/diverged.h"
 #include "solver/simulation/make_scratch.h"
@@ -19,6 +21,12 @@ TileIndex period_in_tiles(const Grid& grid, const Layout& layout) {
   for (std::size_t axis = 0; axis < period.size(); ++axis)
     if (grid.periodic[axis]) period[axis] = static_cast<std::int32_t>(grid.cells()[axis] / layout.side);
   return period;
+}
+
+/// Whether particles keep the slopes that their shape functions have at faces of cells, where these have kinks.
+bool has_kinks_at_rest(const Model& model) {
+  const std::string& functions = model.numerics.shape_functions;
+  return is_total_lagrangian(model.numerics.scheme) && (functions == "linear" || functions == "bernstein");
 }
 
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
@@ -218,6 +226,7 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
     conditions_.act_on_mapped(tile);
   }
   if (account_.watched()) account_.balance_of_tile(tile) = force_balance(block, axes_);
+  if (looks_for_unborne_forces_ && has_unborne_forces(block, axes_)) unborne_forces_ = true;
   if (!accounts_) return;
   motion_.account(block);
   account_.of_tile(tile).back() = {block.work, block.dissipated, {}};
@@ -225,7 +234,16 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
 
 void Executor::update_velocities(const StepTimes& times, double light_node) {
   prepare(times);
+  // Forces spread from where loads act; to look now and then finds them before half of the run is over.
+  looks_for_unborne_forces_ =
+      std::has_single_bit(static_cast<std::uint64_t>(times.step)) && has_kinks_at_rest(model_);
   if (!rehearsal_) kick_nodes(light_node);
+  if (unborne_forces_)
+    diverge(
+        "particles at a body's surface lie exactly on faces of cells: nodes beyond them have a share of their "
+        "forces but no mass, and would hold them fast",
+        "take another domain.cell_size, or move domain.lower by a part of a cell, so that no particle of the "
+        "surface lies on a face");
   const TransferPasses& transfer = sweeps_.transfer_passes();
   project(times.drift > 0 ? transfer.projection : transfer.projection_at_sample, light_node * lightest_particle_);
   if (accounts_ || account_.watched()) account_.add_up();

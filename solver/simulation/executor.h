@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -141,6 +141,8 @@ class Executor {
   Account account_;
   bool accounts_ = false;  ///< for work and dissipation
   double lightest_particle_ = 0;
+  bool looks_for_unborne_forces_ = false;  ///< in this kick
+  std::atomic<bool> unborne_forces_ = false;
   std::int64_t sortings_ = 0;
   ParticleOrder order_;
 };

@@ -1,5 +1,8 @@
 #include "solver/simulation/force_balance.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace trajan {
 
 ForceBalance force_balance(const NodeBlock& block, int axes) {
@@ -23,6 +26,23 @@ ForceBalance force_balance(const NodeBlock& block, int axes) {
     }
   }
   return balance;
+}
+
+bool has_unborne_forces(const NodeBlock& block, int axes) {
+  // What smooth functions leave to nodes of next to no mass is next to no force.
+  constexpr double negligible = 1e-6;
+  const NodeSums& sums = *block.collected;
+  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  double unborne = 0, borne = 0;
+  for (int axis = 0; axis < axes; ++axis) {
+    const double* force = sums.values[quantity(sum_force, axis, axes)];
+    const double* load = sums.values[quantity(sum_load, axis, axes)];
+    for (int i = 0; i < tile_nodes; ++i) {
+      double& largest = mass[i] > block.least_mass ? borne : unborne;
+      largest = std::max(largest, std::abs(force[i]) + std::abs(load[i]));
+    }
+  }
+  return unborne > negligible * borne;
 }
 
 }  // namespace trajan

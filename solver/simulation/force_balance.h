@@ -22,4 +22,9 @@ struct ForceBalance {
 /// Of a tile's nodes once their accelerations are final. What conditions have added to these are reactions.
 ForceBalance force_balance(const NodeBlock& block, int axes);
 
+/// Whether forces that matter act on nodes of a tile that are too light to move. Particles that lie exactly on a
+/// face of cells at a body's surface give the nodes beyond it no mass, but, where functions have kinks at faces, a
+/// share of their stress.
+bool has_unborne_forces(const NodeBlock& block, int axes);
+
 }  // namespace trajan

@@ -67,6 +67,20 @@ TEST(Leaving, TheDomainIsDivergence) {
   EXPECT_LT(x, 0.01 + 0.5 * result.divergence->time + 0.02);
 }
 
+TEST(Surfaces, OnFacesOfCellsStopATotalLagrangianRunThatTheyWouldHoldFast) {
+  Scene scene = test::bar("TLMPM", "linear_elastic", 0.5, 0.1);
+  scene.materials = {test::material("linear_elastic", 100, 0.3, 1)};
+  // The highest of four rows of particles is at y = 0.875, and so is now a row of nodes: the next one has no mass.
+  scene.domain.lower.y = -1.625;
+  const Model model = validate(scene);
+  test::Memory memory;
+  const RunResult result = run(model, {}, memory, nullptr);
+  ASSERT_EQ(result.end, RunEnd::diverged);
+  EXPECT_LE(result.divergence->step, 4);
+  EXPECT_THAT(result.divergence->cause, HasSubstr("faces of cells"));
+  EXPECT_THAT(result.divergence->remedy, HasSubstr("domain.lower"));
+}
+
 TEST(Rest, ThatCannotBeFreedOfItsStressIsDivergence) {
   Scene scene = test::discs(0.04);
   scene.domain.dimension = Dimension::plane_stress;
