@@ -111,7 +111,7 @@ Divergence Simulation::explained(Divergence divergence) {
   const std::optional<Warning> broken = stepper_ ? std::nullopt : coherence_.check(steps_, divergence.time, true);
   if (!broken) return divergence;
   divergence.cause += ": " + broken->cause;
-  divergence.remedy = broken->remedy;
+  divergence.remedy += "; or, since " + broken->remedy;
   return divergence;
 }
 
