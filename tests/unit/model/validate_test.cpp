@@ -234,6 +234,8 @@ const std::vector<Mistake> numerics = {
      [](Scene& s) {
        s.numerics.precision = "FLOAT";
        s.analysis.kind = QuasiStatic{};
+       s.analysis.damping = 0;
+       s.bodies[1].initial_velocity = {};
      },
      "numerics.precision", "need doubles"},
     {"TooLightForFloats",
