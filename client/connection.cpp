@@ -110,6 +110,7 @@ Connection::Connection(std::string address) : address_(std::move(address)) {
   channel_ = grpc::CreateCustomChannel(address_, grpc::InsecureChannelCredentials(), arguments);
   jobs_ = v1::Jobs::NewStub(channel_);
   studies_ = v1::Studies::NewStub(channel_);
+  estimates_ = v1::Estimates::NewStub(channel_);
 }
 
 bool Connection::answers_within(std::chrono::milliseconds wait) {

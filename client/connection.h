@@ -8,6 +8,7 @@
 #include <string>
 
 #include "client/exit_code.h"
+#include "trajan/v1/estimates.grpc.pb.h"
 #include "trajan/v1/jobs.grpc.pb.h"
 #include "trajan/v1/studies.grpc.pb.h"
 
@@ -58,6 +59,14 @@ class Connection {
     repeat([&](grpc::ClientContext& context) { return (studies_.get()->*method)(&context, request, &response); });
     return response;
   }
+  template <typename Request, typename Response>
+  Response call(grpc::Status (v1::Estimates::Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                const Request& request) {
+    Response response;
+    repeat(
+        [&](grpc::ClientContext& context) { return (estimates_.get()->*method)(&context, request, &response); });
+    return response;
+  }
 
  private:
   void repeat(const std::function<grpc::Status(grpc::ClientContext&)>& attempt);
@@ -66,6 +75,7 @@ class Connection {
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::Jobs::Stub> jobs_;
   std::unique_ptr<v1::Studies::Stub> studies_;
+  std::unique_ptr<v1::Estimates::Stub> estimates_;
 };
 
 /// Pauses between attempts: 0.1 s, twice as long each time, at most 2 s.

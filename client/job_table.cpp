@@ -68,8 +68,11 @@ std::string study_of(const v1::Job& job) {
 
 std::string cost_of(const v1::Cost& cost) {
   std::string text = fmt::format("{:.3g} core-seconds", cost.core_seconds());
+  if (cost.wall_seconds() > 0) text += fmt::format(", {:.3g} s", cost.wall_seconds());
   if (cost.peak_memory_bytes() > 0)
-    text += ", " + bytes_for_people(static_cast<double>(cost.peak_memory_bytes())) + " of memory";
+    text += fmt::format(", {} of memory, {} of them for the job",
+                        bytes_for_people(static_cast<double>(cost.peak_memory_bytes())),
+                        bytes_for_people(static_cast<double>(cost.memory_bytes())));
   return text;
 }
 
@@ -114,7 +117,7 @@ std::string failure_text(const v1::Failure& failure) {
   return text + (failure.particle() < 0 ? ")" : fmt::format(", particle {})", failure.particle()));
 }
 
-std::string describe_job(const v1::Job& job) {
+std::string describe_job(const v1::Job& job, const std::string& expectation) {
   std::string text;
   const auto add = [&text](std::string_view name, const std::string& value) {
     if (!value.empty()) text += fmt::format("{:<10} {}\n", name, value);
@@ -132,6 +135,7 @@ std::string describe_job(const v1::Job& job) {
   add("settings", job.has_settings() ? settings_text(job.settings()) : "");
   add("progress", job.has_progress() && !job.has_study() ? place_of(job) : "");
   add("cost", job.has_cost() ? cost_of(job.cost()) : "");
+  add("expected", expectation);
   add("labels", cell_text(labels_of(job)));
   add("priority", job.priority() == 0 ? "" : std::to_string(job.priority()));
   add("submitted", time_text(job.submitted()).value_or(""));

@@ -13,7 +13,7 @@ namespace trajan::client {
 Table job_table(std::span<const v1::Job* const> jobs);
 
 /// All about one job but its measures, a fact on each line: what `trajan show` begins with.
-std::string describe_job(const v1::Job& job);
+std::string describe_job(const v1::Job& job, const std::string& expectation = {});
 
 /// Why a job failed and, if it stopped in mid-run, where: "DIVERGED: ... (step 10, time 0.5, particle 3)".
 std::string failure_text(const v1::Failure& failure);

@@ -44,9 +44,12 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-PrivateServer::PrivateServer() : address_("unix:" + socket_path(folder_.path()).string()) {
+PrivateServer::PrivateServer(bool calibrate) : address_("unix:" + socket_path(folder_.path()).string()) {
   const fs::path log = folder_.path() / "serve.log";
-  process_.emplace(find_trajand(), std::vector<std::string>{"serve", "--state", folder_.path().string()}, log);
+  process_.emplace(find_trajand(),
+                   std::vector<std::string>{"serve", "--state", folder_.path().string(),
+                                            calibrate ? "--calibrate" : "--no-calibrate"},
+                   log);
   const auto give_up = std::chrono::steady_clock::now() + patience;
   while (!Connection(address_).answers_within(std::chrono::milliseconds(200))) {
     if (process_->has_ended() || std::chrono::steady_clock::now() > give_up) {
@@ -55,7 +58,7 @@ PrivateServer::PrivateServer() : address_("unix:" + socket_path(folder_.path()).
   }
 }
 
-AvailableServer::AvailableServer(const std::string& option) {
+AvailableServer::AvailableServer(const std::string& option, bool calibrate) {
   const std::string configured = configured_address(option);
   if (!configured.empty()) {
     connection_.emplace(configured);
@@ -65,7 +68,7 @@ AvailableServer::AvailableServer(const std::string& option) {
     connection_.emplace(default_address());
     if (connection_->answers_within(std::chrono::seconds(1))) return;
   }
-  private_.emplace();
+  private_.emplace(calibrate);
   connection_.emplace(private_->address());
 }
 

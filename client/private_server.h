@@ -25,7 +25,8 @@ class TemporaryFolder {
 class PrivateServer {
  public:
   /// Waits until it answers. Throws CommandError with the end of its log if it does not.
-  PrivateServer();
+  /// `calibrate`: the server measures the machine, for estimates.
+  explicit PrivateServer(bool calibrate);
   const std::string& address() const { return address_; }
 
  private:
@@ -37,8 +38,8 @@ class PrivateServer {
 /// A server to work with: the configured one; otherwise the default one if it runs; otherwise a private one.
 class AvailableServer {
  public:
-  /// `option`: what --server says. Throws CommandError.
-  explicit AvailableServer(const std::string& option);
+  /// `option`: what --server says; `calibrate`: of a private one. Throws CommandError.
+  explicit AvailableServer(const std::string& option, bool calibrate = false);
   Connection& connection() { return *connection_; }
   bool is_private() const { return private_.has_value(); }
 

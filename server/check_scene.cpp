@@ -14,9 +14,9 @@ google::protobuf::RepeatedPtrField<v1::Violation> violations_of(const v1::Scene&
   return {};
 }
 
-void require_valid(const v1::Scene& scene) {
+Model require_valid(const v1::Scene& scene) {
   try {
-    validate(to_scene(scene));
+    return validate(to_scene(scene));
   } catch (const InvalidScene& invalid) {
     ServiceError error(grpc::StatusCode::INVALID_ARGUMENT, "INVALID_SCENE", invalid.what());
     *error.details().mutable_violations() = to_proto(invalid.violations());

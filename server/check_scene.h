@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "solver/model/model.h"
 #include "trajan/v1/jobs.pb.h"
 #include "trajan/v1/scene.pb.h"
 
@@ -11,6 +12,6 @@ namespace trajan {
 google::protobuf::RepeatedPtrField<v1::Violation> violations_of(const v1::Scene& scene);
 
 /// Throws ServiceError INVALID_ARGUMENT with all violations as details.
-void require_valid(const v1::Scene& scene);
+Model require_valid(const v1::Scene& scene);
 
 }  // namespace trajan

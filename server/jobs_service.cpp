@@ -11,6 +11,7 @@
 #include "server/run_cost.h"
 #include "server/scene_digest.h"
 #include "server/status.h"
+#include "server/store_estimates.h"
 #include "server/store_findings.h"
 #include "server/store_jobs.h"
 #include "server/store_studies.h"
@@ -21,25 +22,11 @@ namespace trajan {
 
 namespace {
 
-/// Histories with their times, and snapshots of doubles: positions, velocities and what is asked for, all of them
-/// with the components of a solid.
-std::int64_t estimate_result_bytes(const Model& model) {
-  const OutputPlan& outputs = model.outputs;
-  const auto columns = std::ssize(history_columns(model)) + 1;
-  const std::int64_t snapshots =
-      outputs.samples_per_snapshot == 0 ? 0 : outputs.samples / outputs.samples_per_snapshot + 1;
-  std::int64_t components = 6;
-  for (const RecordedField& field : outputs.snapshot_fields)
-    components += std::max<std::int64_t>(1, std::ssize(field_components(field.field, Dimension::solid)));
-  return static_cast<std::int64_t>(sizeof(double)) *
-         ((outputs.samples + 1) * columns + snapshots * model.particle_count() * components);
-}
-
 void check_scene(const v1::Scene& scene, v1::CheckSceneResponse& response) {
   try {
     const Model model = validate(to_scene(scene));
     *response.mutable_plan() = to_proto(plan(model));
-    response.mutable_plan()->set_result_bytes(estimate_result_bytes(model));
+    response.mutable_plan()->set_result_bytes(result_bytes(model));
   } catch (const InvalidScene& invalid) {
     *response.mutable_violations() = to_proto(invalid.violations());
   }
@@ -48,11 +35,12 @@ void check_scene(const v1::Scene& scene, v1::CheckSceneResponse& response) {
 }  // namespace
 
 JobsService::JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, Targets& targets,
-                         std::filesystem::path jobs_directory)
+                         const Estimator& estimator, std::filesystem::path jobs_directory)
     : store_(store),
       hub_(hub),
       scheduler_(scheduler),
       targets_(targets),
+      estimator_(estimator),
       jobs_directory_(std::move(jobs_directory)) {}
 
 grpc::ServerUnaryReactor* JobsService::CheckScene(grpc::CallbackServerContext* context,
@@ -67,13 +55,15 @@ std::shared_ptr<store::StudyPlan> JobsService::prepare(v1::SubmitJobRequest& req
   if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
   if (!request.fidelity().has_target()) {
     resolve_fidelity(request);
-    require_valid(request.scene());
     return nullptr;
   }
   const auto known = store_.read([&](store::Database& database) {
     return store::findings(database, family_digest(request.scene()), machine_name());
   });
-  return std::make_shared<store::StudyPlan>(plan_target(request, known));
+  auto plan = std::make_shared<store::StudyPlan>(plan_target(request, known));
+  for (store::PlannedRun& run : plan->runs)
+    run.estimate = estimator_.estimate(run.scene, require_valid(run.scene), request.priority());
+  return plan;
 }
 
 void JobsService::submitted(const v1::Job& job) {
@@ -88,10 +78,14 @@ grpc::ServerUnaryReactor* JobsService::SubmitJob(grpc::CallbackServerContext* co
   checks_.post([=, this, request = std::make_shared<v1::SubmitJobRequest>(*asked)] {
     try {
       const auto target = prepare(*request);
+      const v1::Estimate estimate =
+          target ? v1::Estimate()
+                 : estimator_.estimate(request->scene(), require_valid(request->scene()), request->priority());
       store_.commit(
           [=](store::Database& database) {
             *response =
                 target ? store::submit_target(database, *request, *target) : store::submit(database, *request);
+            if (!target) store::keep_estimate(database, response->job_id(), request->scene(), estimate);
           },
           [=, this](std::exception_ptr error) {
             if (!error) submitted(*response);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "server/estimator.h"
 #include "server/history_stream.h"
 #include "server/hub.h"
 #include "server/schedule.h"
@@ -19,7 +20,7 @@ namespace trajan {
 /// no thread of gRPC waits for anything.
 class JobsService final : public v1::Jobs::CallbackService {
  public:
-  JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, Targets& targets,
+  JobsService(store::Store& store, Hub& hub, Scheduler& scheduler, Targets& targets, const Estimator& estimator,
               std::filesystem::path jobs_directory);
 
   /// Refuses new jobs from now on.
@@ -53,6 +54,7 @@ class JobsService final : public v1::Jobs::CallbackService {
   Hub& hub_;
   Scheduler& scheduler_;
   Targets& targets_;
+  const Estimator& estimator_;
   const std::filesystem::path jobs_directory_;
   std::atomic<bool> draining_ = false;
   TaskQueue checks_{2};   ///< validation of scenes, removal of files

@@ -4,10 +4,17 @@
 
 #include "proto/default_paths.h"
 #include "server/address.h"
+#include "server/measure.h"
 #include "server/server.h"
 #include "server/worker.h"
 
 namespace {
+
+struct MeasuringOptions {
+  std::string directory;
+  double seconds = 1;
+  int threads = 1;
+};
 
 void add_log_level(CLI::App& command, std::string& level) {
   command.add_option("--log-level", level, "Least level of messages on stderr")
@@ -46,6 +53,9 @@ void add_serve_options(CLI::App& command, trajan::ServeOptions& options) {
       .add_option("--drain", options.drain_seconds, "Seconds that workers have to give their jobs back at the end")
       ->check(seconds)
       ->capture_default_str();
+  command.add_flag(
+      "--calibrate,!--no-calibrate", options.calibrate,
+      "Measure what work takes on this machine for estimates, once, while there are no jobs (default: yes)");
   add_log_level(command, options.log_level);
 }
 
@@ -61,6 +71,14 @@ void add_work_options(CLI::App& command, trajan::WorkOptions& options) {
   add_log_level(command, options.log_level);
 }
 
+/// What the server has done beside it; of no use to people.
+void add_measuring_options(CLI::App& calibrate, CLI::App& attempt, MeasuringOptions& options) {
+  for (CLI::App* command : {&calibrate, &attempt})
+    command->group("")->add_option("directory", options.directory, "Where question and answer are")->required();
+  attempt.add_option("--seconds", options.seconds, "At most")->required();
+  attempt.add_option("--threads", options.threads, "Threads of the solver");
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -74,11 +92,18 @@ int main(int argument_count, char** arguments) {
   trajan::WorkOptions work_options;
   CLI::App& serve = *program.add_subcommand("serve", "Take jobs and have workers compute them");
   CLI::App& work = *program.add_subcommand("work", "Compute jobs for a server");
+  CLI::App& calibrate = *program.add_subcommand("calibrate", "Measure this machine");
+  CLI::App& attempt = *program.add_subcommand("try", "Run a scene for a while");
+  MeasuringOptions measuring;
+  add_measuring_options(calibrate, attempt, measuring);
   add_serve_options(serve, serve_options);
   add_work_options(work, work_options);
   try {
     program.parse(argument_count, arguments);
     if (work.parsed()) return trajan::work(work_options);
+    if (calibrate.parsed()) return trajan::measuring::calibrate(measuring.directory);
+    if (attempt.parsed())
+      return trajan::measuring::try_scene(measuring.directory, measuring.seconds, measuring.threads);
     if (serve_options.state.empty()) serve_options.state = trajan::default_state_directory();
     return trajan::serve(serve_options);
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,6 @@
 #include "server/run_cost.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <fstream>
@@ -32,9 +33,15 @@ std::string value_in(const char* file, const std::string& key) {
 /// Forgets the largest resident memory so far (proc(5)).
 void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << 5; }
 
-std::int64_t peak_memory_bytes() {
-  const std::string kibibytes = value_in("/proc/self/status", "VmHWM");
+std::int64_t status_bytes(const std::string& key) {
+  const std::string kibibytes = value_in("/proc/self/status", key);
   return std::strtoll(kibibytes.c_str(), nullptr, 10) * 1024;
+}
+
+/// What the process holds of its own once what was freed is given back.
+std::int64_t own_bytes() {
+  malloc_trim(0);
+  return status_bytes("RssAnon");
 }
 
 }  // namespace
@@ -42,7 +49,10 @@ std::int64_t peak_memory_bytes() {
 std::string machine_name() { return value_in("/proc/cpuinfo", "model name"); }
 
 RunCost::RunCost(int threads)
-    : threads_(threads), processor_seconds_(processor_seconds()), start_(std::chrono::steady_clock::now()) {
+    : threads_(threads),
+      own_bytes_(own_bytes()),
+      processor_seconds_(processor_seconds()),
+      start_(std::chrono::steady_clock::now()) {
   reset_peak_memory();
 }
 
@@ -51,7 +61,10 @@ v1::Cost RunCost::so_far() const {
   cost.set_core_seconds(processor_seconds() - processor_seconds_);
   cost.set_wall_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
   cost.set_threads(threads_);
-  cost.set_peak_memory_bytes(peak_memory_bytes());
+  const std::int64_t peak = status_bytes("VmHWM");
+  cost.set_peak_memory_bytes(peak);
+  // Pages of files only grow in number, and belong to the program.
+  cost.set_memory_bytes(peak - status_bytes("RssFile") - status_bytes("RssShmem") - own_bytes_);
   cost.set_machine(machine_name());
   return cost;
 }

@@ -18,6 +18,7 @@ class RunCost {
 
  private:
   const int threads_;
+  const std::int64_t own_bytes_;
   const double processor_seconds_;
   const std::chrono::steady_clock::time_point start_;
 };

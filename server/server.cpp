@@ -10,6 +10,8 @@
 #include "proto/default_paths.h"
 #include "server/address.h"
 #include "server/log.h"
+#include "server/run_cost.h"
+#include "server/store_estimates.h"
 #include "server/store_jobs.h"
 
 namespace trajan {
@@ -54,8 +56,11 @@ Server::Server(ServeOptions options)
       scheduler_(with_jobs_directory(options_.schedule, state_), store_, hub_, pool_,
                  [this](std::int64_t study) { targets_.look_at(study); }),
       targets_(store_, hub_, [this] { scheduler_.assign(); }),
-      jobs_(store_, hub_, scheduler_, targets_, std::filesystem::absolute(state_.jobs())),
-      studies_(store_, scheduler_),
+      measurer_(std::filesystem::absolute(state_.measuring())),
+      estimator_(store_, measurer_, options_.workers, options_.threads_per_worker),
+      jobs_(store_, hub_, scheduler_, targets_, estimator_, std::filesystem::absolute(state_.jobs())),
+      studies_(store_, scheduler_, estimator_),
+      estimates_(store_, estimator_),
       workers_(scheduler_) {
   remove_orphaned_directories();
   scheduler_.recover();
@@ -63,6 +68,7 @@ Server::Server(ServeOptions options)
   listen();
   start_workers();
   clock_ = std::jthread([this](const std::stop_token& stop) { keep_time(stop); });
+  if (options_.calibrate) calibration_ = std::jthread([this](const std::stop_token& stop) { calibrate(stop); });
 }
 
 /// Directories whose job was deleted just before a crash.
@@ -86,13 +92,15 @@ void Server::listen() {
   }
   builder.RegisterService(&jobs_);
   builder.RegisterService(&studies_);
+  builder.RegisterService(&estimates_);
   builder.RegisterService(&workers_);
   server_ = builder.BuildAndStart();
   for (std::size_t i = 0; i < ports.size(); ++i) {
     if (!server_ || ports[i] == 0) throw std::runtime_error("cannot listen on " + options_.listen[i]);
     addresses_.push_back(with_port(options_.listen[i], ports[i]));
   }
-  for (const char* service : {v1::Jobs::service_full_name(), v1::Studies::service_full_name()})
+  for (const char* service :
+       {v1::Jobs::service_full_name(), v1::Studies::service_full_name(), v1::Estimates::service_full_name()})
     server_->GetHealthCheckService()->SetServingStatus(service, true);
 }
 
@@ -117,8 +125,26 @@ void Server::keep_time(const std::stop_token& stop) {
   }
 }
 
+void Server::calibrate(const std::stop_token& stop) {
+  constexpr auto pause = std::chrono::milliseconds(100);
+  constexpr int enough = 10;  // looks without a job: nobody is about to submit more
+  const auto known = [](store::Database& database) { return store::find_calibration(database, machine_name()); };
+  if (store_.read(known)) return;
+  for (int idle = 0; idle < enough; idle = scheduler_.active() == 0 ? idle + 1 : 0) {
+    if (stop.stop_requested()) return;
+    std::this_thread::sleep_for(pause);
+  }
+  const auto calibration = measurer_.calibrate();
+  if (!calibration) return;
+  store_.commit([calibration](store::Database& database) { store::keep_calibration(database, *calibration); },
+                [](std::exception_ptr) {});
+  logging::info("machine measured", {{"rates", std::to_string(calibration->seconds().size())}});
+}
+
 void Server::drain() {
   logging::info("draining");
+  calibration_.request_stop();
+  measurer_.stop();
   server_->GetHealthCheckService()->SetServingStatus(false);
   jobs_.drain();
   studies_.drain();
@@ -140,6 +166,8 @@ void Server::stop_listening() {
 }
 
 Server::~Server() {
+  measurer_.stop();
+  calibration_ = {};
   clock_.request_stop();
   if (clock_.joinable()) clock_.join();
   if (server_) stop_listening();

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/estimates_service.h"
 #include "server/hub.h"
 #include "server/jobs_service.h"
 #include "server/pool.h"
@@ -26,6 +27,7 @@ struct ServeOptions {
   int threads_per_worker = 1;
   ScheduleOptions schedule;  ///< jobs_directory follows from `state`
   double drain_seconds = 20;
+  bool calibrate = true;  ///< measure this machine, if that is still to be done, while there are no jobs
   std::string log_level = "info";
 };
 
@@ -48,6 +50,8 @@ class Server {
   void start_workers();
   void remove_orphaned_directories();
   void keep_time(const std::stop_token& stop);
+  /// Unless the store knows this machine already.
+  void calibrate(const std::stop_token& stop);
   void stop_listening();
 
   ServeOptions options_;
@@ -57,12 +61,15 @@ class Server {
   WorkerPool pool_;
   Scheduler scheduler_;
   Targets targets_;
+  Measurer measurer_;
+  Estimator estimator_;
   JobsService jobs_;
   StudiesService studies_;
+  EstimatesService estimates_;
   WorkersService workers_;
   std::vector<std::string> addresses_;
   std::unique_ptr<grpc::Server> server_;
-  std::jthread clock_;
+  std::jthread clock_, calibration_;
 };
 
 /// Runs a server until SIGTERM or SIGINT, then drains; a second signal ends it at once. Prints

@@ -15,6 +15,7 @@ class StateDirectory {
 
   std::filesystem::path database() const { return path_ / "queue.sqlite"; }
   std::filesystem::path jobs() const { return path_ / "jobs"; }
+  std::filesystem::path measuring() const { return path_ / "measuring"; }
 
  private:
   const std::filesystem::path path_;

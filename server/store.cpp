@@ -46,6 +46,16 @@ constexpr const char* migrations[] = {
     finding BLOB NOT NULL,           -- trajan.v1.Finding
     PRIMARY KEY(job_id, measure)) WITHOUT ROWID;
   CREATE INDEX families ON findings(family, measure);)sql",
+    R"sql(
+  CREATE TABLE predictions(
+    job_id INTEGER PRIMARY KEY, family TEXT NOT NULL,
+    ended INTEGER NOT NULL,          -- whether what the job took is known
+    prediction BLOB NOT NULL);       -- trajan.v1.Prediction
+  CREATE INDEX predicted_families ON predictions(family);
+  CREATE TABLE calibrations(
+    machine TEXT, version TEXT,      -- of the solver
+    calibration BLOB NOT NULL,       -- trajan.v1.Calibration
+    PRIMARY KEY(machine, version)) WITHOUT ROWID;)sql",
 };
 constexpr std::int64_t schema_version = std::size(migrations);
 

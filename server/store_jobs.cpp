@@ -8,6 +8,7 @@
 #include "server/errors.h"
 #include "server/scene_digest.h"
 #include "server/store_answers.h"
+#include "server/store_estimates.h"
 #include "server/store_requests.h"
 #include "server/store_studies.h"
 
@@ -48,6 +49,7 @@ std::int64_t state_bits(const v1::ListJobsRequest& request) {
 
 void remove_row(Database& database, std::int64_t job) {
   forget_answer(database, job);
+  forget_estimate(database, job);
   database.prepare("DELETE FROM events WHERE job_id = ?").bind(1, job).run();
   database.prepare("DELETE FROM labels WHERE job_id = ?").bind(1, job).run();
   database.prepare("DELETE FROM jobs WHERE job_id = ?").bind(1, job).run();

@@ -5,6 +5,7 @@
 
 #include "server/errors.h"
 #include "server/store_answers.h"
+#include "server/store_estimates.h"
 #include "server/store_findings.h"
 #include "server/store_jobs.h"
 
@@ -77,6 +78,7 @@ void add_cost(v1::Job& job, const v1::Cost& cost) {
   job.mutable_cost()->set_core_seconds(before.core_seconds() + cost.core_seconds());
   job.mutable_cost()->set_wall_seconds(before.wall_seconds() + cost.wall_seconds());
   job.mutable_cost()->set_peak_memory_bytes(std::max(before.peak_memory_bytes(), cost.peak_memory_bytes()));
+  job.mutable_cost()->set_memory_bytes(std::max(before.memory_bytes(), cost.memory_bytes()));
 }
 
 void apply_outcome(Database& database, v1::Job& job, const v1::CompleteRequest& request) {
@@ -167,7 +169,10 @@ void complete(Database& database, const v1::CompleteRequest& request) {
   }
   apply_outcome(database, leased->job, request);
   const bool succeeded = leased->job.state() == v1::SUCCEEDED;
-  if (succeeded) keep_findings(database, leased->job);
+  if (succeeded) {
+    keep_findings(database, leased->job);
+    keep_actual(database, leased->job);
+  }
   update(database, leased->job);
   release_worker(database, numbers.job);
   if (succeeded) answer_equal_scenes(database, leased->job);

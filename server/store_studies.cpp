@@ -3,6 +3,7 @@
 #include "server/errors.h"
 #include "server/scene_digest.h"
 #include "server/store_answers.h"
+#include "server/store_estimates.h"
 #include "server/store_findings.h"
 #include "server/store_jobs.h"
 #include "server/store_requests.h"
@@ -29,6 +30,7 @@ std::int64_t insert_run(Database& database, const v1::Job& study, const PlannedR
       .bind(4, scene_digest(planned.scene))
       .bind(5, number)
       .run();
+  keep_estimate(database, job.job_id(), planned.scene, planned.estimate);
   update(database, job);
   return number;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "server/store_database.h"
+#include "trajan/v1/estimates.pb.h"
 #include "trajan/v1/studies.pb.h"
 
 /// Studies and their runs as rows of the table of jobs. What changes something must run inside Store::commit.
@@ -15,6 +16,7 @@ namespace trajan::store {
 struct PlannedRun {
   v1::Run run;
   v1::Scene scene;
+  v1::Estimate estimate = {};
 };
 
 struct StudyPlan {

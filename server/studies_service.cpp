@@ -1,5 +1,6 @@
 #include "server/studies_service.h"
 
+#include "server/check_scene.h"
 #include "server/errors.h"
 #include "server/log.h"
 #include "server/status.h"
@@ -22,7 +23,10 @@ grpc::ServerUnaryReactor* StudiesService::SubmitStudy(grpc::CallbackServerContex
   plans_.post([=, this] {
     answer(*context, *reactor, [&] {
       if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
-      submit(plan_study(*request), *request, *response);
+      store::StudyPlan plan = plan_study(*request);
+      for (store::PlannedRun& run : plan.runs)
+        run.estimate = estimator_.estimate(run.scene, require_valid(run.scene), request->priority());
+      submit(plan, *request, *response);
     });
   });
   return reactor;

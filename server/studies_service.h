@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "server/estimator.h"
 #include "server/schedule.h"
 #include "server/store.h"
 #include "server/store_studies.h"
@@ -13,7 +14,8 @@ namespace trajan {
 /// The public API of studies; see JobsService.
 class StudiesService final : public v1::Studies::CallbackService {
  public:
-  StudiesService(store::Store& store, Scheduler& scheduler) : store_(store), scheduler_(scheduler) {}
+  StudiesService(store::Store& store, Scheduler& scheduler, const Estimator& estimator)
+      : store_(store), scheduler_(scheduler), estimator_(estimator) {}
 
   /// Refuses new studies from now on.
   void drain() { draining_ = true; }
@@ -28,6 +30,7 @@ class StudiesService final : public v1::Studies::CallbackService {
 
   store::Store& store_;
   Scheduler& scheduler_;
+  const Estimator& estimator_;
   std::atomic<bool> draining_ = false;
   TaskQueue plans_{1};    ///< validation of many scenes
   TaskQueue readers_{1};  ///< tables

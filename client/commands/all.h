@@ -11,6 +11,7 @@ void declare_submit(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_sweep(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_study(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_tradeoff(CLI::App& app, const GlobalOptions& global, Action& action);
+void declare_estimate(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_watch(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_history(CLI::App& app, const GlobalOptions& global, Action& action);
 void declare_fetch(CLI::App& app, const GlobalOptions& global, Action& action);

@@ -15,6 +15,7 @@ std::span<const Command> commands() {
       {"sweep", "run a scene with other values of its fields, and print a table", declare_sweep},
       {"study", "say how far a scene's measures are off, by a ladder of cell sizes", declare_study},
       {"tradeoff", "try settings of a scene: errors against core-seconds", declare_tradeoff},
+      {"estimate", "say what a scene would take and how far off it would be", declare_estimate},
       {"watch", "follow a job or a study to its end", declare_watch},
       {"history", "print histories as CSV or JSON lines", declare_history},
       {"fetch", "download a job's result files", declare_fetch},

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "client/commands/all.h"
+#include "client/estimate_table.h"
 #include "client/job_table.h"
 #include "client/load_scene.h"
 #include "client/progress_display.h"
@@ -102,12 +103,25 @@ void print_study(const v1::Study& study, OutputFormat output) {
   print_study_table(std::cout, study, output);
 }
 
-void print_job(const v1::Job& job, OutputFormat output) {
+/// What was expected of the job; nothing if nobody estimated it.
+std::string expectation_of(Connection& connection, const v1::Job& job) {
+  v1::GetPredictionRequest request;
+  request.set_job_id(job.job_id());
+  try {
+    return describe_expectation(connection.call(&v1::Estimates::Stub::GetPrediction, request).estimate());
+  } catch (const CommandError& error) {
+    // A job of an older server, or a server that knows no estimates.
+    if (error.code == ExitCode::not_found || error.code == ExitCode::job_failed) return {};
+    throw;
+  }
+}
+
+void print_job(Connection& connection, const v1::Job& job, OutputFormat output) {
   if (output != OutputFormat::table) {
     const v1::Job* pointer = &job;
     return print_table(std::cout, job_table({&pointer, 1}), output);
   }
-  std::cout << describe_job(job);
+  std::cout << describe_job(job, expectation_of(connection, job));
   if (job.measures().empty()) return;
   std::cout << '\n';
   print_table(std::cout, measure_table(job), output);
@@ -130,7 +144,7 @@ ExitCode show(const GlobalOptions& global, const Show& asked) {
   } else if (asked.output == OutputFormat::json || asked.output == OutputFormat::jsonl) {
     std::cout << json_text(job, asked.output == OutputFormat::jsonl) << '\n';
   } else {
-    print_job(job, asked.output);
+    print_job(connection, job, asked.output);
   }
   return ExitCode::success;
 }

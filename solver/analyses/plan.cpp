@@ -11,12 +11,39 @@ namespace trajan {
 
 namespace {
 
+/// Of some of the particles, evenly chosen.
+double largest_initial_speed(const Model& model) {
+  constexpr std::int64_t most = 1000;
+  double largest = 0;
+  for (const Body& body : model.bodies) {
+    const std::int64_t stride = body.particles / most + 1;
+    for (std::int64_t number = 0; number < body.particles; number += stride) {
+      const Vector at = body.lattice.point_of(number);
+      double square = 0;
+      for (const auto* component : {&body.velocity_x, &body.velocity_y, &body.velocity_z})
+        if (*component) square += std::pow((**component)(at, 0), 2);
+      if (std::isfinite(square)) largest = std::max(largest, std::sqrt(square));
+    }
+  }
+  return largest;
+}
+
 void plan_explicit_steps(const Model& model, ModelPlan& plan) {
   const TimeStepLimit limit = time_step_limit(model);
   plan.time_step_limit = limit.because;
-  const double largest = model.numerics.time_step.value_or(model.numerics.time_step_fraction * limit.value);
+  const double speed = largest_initial_speed(model);
+  double stable = limit.value;
+  // What moves makes steps shorter, but not which wave is the fastest.
+  for (const Material& material : model.materials)
+    stable = std::min(
+        stable,
+        stable_time_step(model, material.kind->wave_speed(material.parameters, material.density, model.dimension),
+                         speed));
+  const double largest = model.numerics.time_step.value_or(model.numerics.time_step_fraction * stable);
   const double interval = model.end_time / static_cast<double>(model.outputs.samples);
-  const double in_interval = std::max(1.0, std::ceil(interval / largest - 1e-9));
+  constexpr double most_steps = 1e15;
+  const double in_interval = std::clamp(std::ceil(interval / largest - 1e-9), 1.0,
+                                        most_steps / static_cast<double>(model.outputs.samples));
   plan.time_step = interval / in_interval;
   plan.steps = static_cast<std::int64_t>(in_interval) * model.outputs.samples;
 }

@@ -23,7 +23,7 @@ def channel(stubs):
     folder = pathlib.Path(tempfile.mkdtemp(prefix="trajan-"))
     address = f"unix:{folder}/api"
     program = pathlib.Path(os.environ["TRAJAN_BIN"]) / "trajand"
-    process = subprocess.Popen([program, "serve", "--listen", address, "--state", folder / "state"])
+    process = subprocess.Popen([program, "serve", "--no-calibrate", "--listen", address, "--state", folder / "state"])
     try:
         with service.wait_until_ready(address, process) as channel:
             yield channel

@@ -65,7 +65,7 @@ def start_server(environment):
     processes = []
 
     def start():
-        process = subprocess.Popen([TRAJAN, "serve", "--workers", "1", "--log-level", "warning"], env=environment,
+        process = subprocess.Popen([TRAJAN, "serve", "--workers", "1", "--no-calibrate", "--log-level", "warning"], env=environment,
                                    stdout=subprocess.PIPE, text=True)
         processes.append(process)
         assert "listening" in process.stdout.readline()

@@ -100,7 +100,8 @@ std::string Process::read_line() {
 Service::Service(std::vector<std::string> options) : options_(std::move(options)) { restart(); }
 
 void Service::restart() {
-  std::vector<std::string> arguments = {"serve", "--state", state().string(), "--log-level", "warning"};
+  std::vector<std::string> arguments = {"serve",          "--state",     state().string(),
+                                        "--no-calibrate", "--log-level", "warning"};
   if (std::ranges::find(options_, "--workers") == options_.end()) {
     arguments.insert(arguments.end(), {"--workers", "1"});
   }

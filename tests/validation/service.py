@@ -81,7 +81,7 @@ class Service:
         log = self._exits.enter_context(open(self._folder / "server.log", "w", encoding="utf-8"))
         options = ["--workers", "1", "--threads-per-worker", "1", "--log-level", "warning"]
         self._server = subprocess.Popen(
-            [self._program, "serve", *options], env=self._environment, stdout=subprocess.PIPE, stderr=log
+            [self._program, "serve", "--no-calibrate", *options], env=self._environment, stdout=subprocess.PIPE, stderr=log
         )
         self._exits.callback(lambda: (self._server.terminate(), self._server.wait(), self._server.stdout.close()))
         if b"listening" not in self._server.stdout.readline():

@@ -241,7 +241,7 @@ TEST_F(StudiesTest, come_to_a_store_of_an_earlier_version) {
     DROP INDEX queued; DROP INDEX runs; DROP INDEX scenes; DROP INDEX answers; DROP TABLE findings;
     ALTER TABLE jobs DROP COLUMN is_study; ALTER TABLE jobs DROP COLUMN parent; ALTER TABLE jobs DROP COLUMN plan;
     ALTER TABLE jobs DROP COLUMN reuse; ALTER TABLE jobs DROP COLUMN scene;
-    ALTER TABLE jobs DROP COLUMN answered_by;
+    ALTER TABLE jobs DROP COLUMN answered_by; DROP TABLE predictions; DROP TABLE calibrations;
     CREATE INDEX queued ON jobs(priority DESC, job_id) WHERE state = 1;
     INSERT INTO jobs(state, priority, losses, process_id, job, request) VALUES (1, 0, 0, 0, x'0a0131', x'');
     PRAGMA user_version = 1)sql");

@@ -1,0 +1,221 @@
+#include "solver/cost/run_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "solver/schemes/scheme.h"
+#include "solver/transfers/transfer.h"
+
+namespace trajan {
+namespace {
+
+/// What a tile without particles takes, of one with some.
+constexpr double reached_share = 0.4;
+
+/// Of a second-level cache, about.
+constexpr double cached_bytes = 1 << 20;
+
+/// Iterations of Newton's method per load step or time step, of laws that are not linear: about what the scenes of
+/// the gallery take.
+constexpr double iterations_per_step = 5;
+/// Steps of a relaxation per crossing of a wave through the longest body, likewise.
+constexpr double crossings_per_level = 20;
+
+class RateTable {
+ public:
+  explicit RateTable(const Rates& rates) : rates_(rates) {}
+  double operator[](const std::string& name) {
+    const auto found = rates_.find(name);
+    if (found != rates_.end()) return found->second;
+    complete_ = false;
+    return 0;
+  }
+  bool complete() const { return complete_; }
+
+ private:
+  const Rates& rates_;
+  bool complete_ = true;
+};
+
+double factor_work(const Model& model) {
+  const Layout& layout = kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->layout;
+  const double more = layout.wide ? 2 : 1;
+  const int axes = grid_axes(model.dimension);
+  double work = 0;
+  for (const Body& body : model.bodies) {
+    const double lengths[] = {static_cast<double>(body.lattice.columns) * body.lattice.spacing.x,
+                              static_cast<double>(body.lattice.rows) * body.lattice.spacing.y,
+                              static_cast<double>(body.lattice.planes) * body.lattice.spacing.z};
+    const double box = static_cast<double>(body.lattice.columns * body.lattice.rows * body.lattice.planes);
+    double nodes = static_cast<double>(body.particles) / box, longest = 0;
+    for (int axis = 0; axis < axes; ++axis) {
+      const double along = lengths[axis] / model.grid.cell + more;
+      nodes *= along;
+      longest = std::max(longest, along);
+    }
+    const double layer = axes * nodes / longest;
+    work += axes * nodes * (axes == 3 ? std::pow(layer, 1.5) : layer);
+  }
+  return work;
+}
+
+double formulas(const Model& model) {
+  double sum = 0;
+  for (const BodyLoad& load : model.body_loads)
+    for (const std::optional<Expression>& component : load.field)
+      for (const std::size_t body : load.bodies)
+        if (component)
+          sum += static_cast<double>(component->text().size()) * static_cast<double>(model.bodies[body].particles);
+  return sum;
+}
+
+bool is_linear(const Model& model) {
+  return std::ranges::all_of(model.bodies, [&](const Body& body) {
+    return model.materials[body.material].kind->name == "linear_strain_elastic";
+  });
+}
+
+double explicit_step_seconds(const Model& model, const StepSize& size, RateTable& rates) {
+  const auto of = [&](const char* part) { return rates[step_rate(model.dimension, model.numerics, part)]; };
+  double seconds = of("step") + of("tile") * size.tiles + of("particle") * size.particles;
+  if (model.numerics.transfer != Numerics{}.transfer) {
+    Numerics numerics = model.numerics;
+    constexpr int measured_orders = 3;
+    const bool ordered = find_transfer(numerics.transfer)->ordered;
+    const int order = ordered ? numerics.transfer_order.value_or(default_transfer_order) : 0;
+    if (ordered)
+      numerics.transfer_order = std::min(order, measured_orders);
+    else
+      numerics.transfer_order.reset();
+    const double most = rates[transfer_rate(model.dimension, numerics)];
+    double more = most;
+    if (order > measured_orders) {
+      numerics.transfer_order = measured_orders - 1;
+      more += (order - measured_orders) * (most - rates[transfer_rate(model.dimension, numerics)]);
+    }
+    seconds += more * size.particles;
+  }
+  const bool total = is_total_lagrangian(model.numerics.scheme);
+  for (const Body& body : model.bodies)
+    seconds += rates[law_rate(model.dimension, total, model.materials[body.material].kind->name)] *
+               static_cast<double>(body.particles);
+  if (model.contacts.fields > 1)
+    seconds += rates[contact_rate(model.dimension)] * size.layer * (model.contacts.fields - 1);
+  seconds += rates[formula_rate()] * size.formulas + rates[memory_rate()] * size.uncached_bytes;
+  return seconds;
+}
+
+double iteration(const Model& model, const StepSize& size, RateTable& rates) {
+  const auto of = [&](const char* part) {
+    return rates[iteration_rate(model.dimension, model.numerics.shape_functions, part)];
+  };
+  return of("assembly") * size.particles + of("factors") * size.factor_work;
+}
+
+/// Steps and what they take together.
+struct Steps {
+  double count = 0, seconds = 0;
+};
+
+Steps steps_of(const Model& model, const ModelPlan& plan, RateTable& rates) {
+  const StepSize size = step_size(model, plan);
+  const auto planned = static_cast<double>(plan.steps);
+  if (std::holds_alternative<ExplicitDynamics>(model.analysis))
+    return {planned, planned * explicit_step_seconds(model, size, rates)};
+  if (std::holds_alternative<Relaxation>(model.analysis)) {
+    const double steps = planned * crossings_per_level;
+    return {steps, steps * explicit_step_seconds(model, size, rates)};
+  }
+  const double each = iteration(model, size, rates);
+  if (std::holds_alternative<Modal>(model.analysis) || std::holds_alternative<Buckling>(model.analysis))
+    return {planned, each * rates[modes_rate()]};
+  const double iterations = planned * (is_linear(model) ? 1 : iterations_per_step);
+  return {iterations, iterations * each};
+}
+
+/// Components of the fields of a snapshot, positions and velocities among them, as the file has them: those of a
+/// solid.
+std::vector<std::size_t> stored_components(const Model& model) {
+  std::vector<std::size_t> components(2, vector_components(Dimension::solid).size());
+  for (const RecordedField& field : model.outputs.snapshot_fields)
+    components.push_back(std::max<std::size_t>(1, field_components(field.field, Dimension::solid).size()));
+  return components;
+}
+
+}  // namespace
+
+StepSize step_size(const Model& model, const ModelPlan& plan) {
+  StepSize size;
+  size.particles = static_cast<double>(model.particle_count());
+  size.tiles = static_cast<double>(plan.occupied_tiles) +
+               reached_share * static_cast<double>(plan.tiles - plan.occupied_tiles);
+  size.factor_work = factor_work(model);
+  const int axes = grid_axes(model.dimension);
+  size.layer = std::pow(size.particles, (axes - 1.0) / axes);
+  size.formulas = formulas(model);
+  size.uncached_bytes = std::max(0.0, static_cast<double>(plan.particle_bytes) - cached_bytes);
+  return size;
+}
+
+std::optional<double> run_memory(const Model& model, const ModelPlan& plan, const Rates& bytes) {
+  RateTable table(bytes);
+  // Rates are of rows without probes.
+  const double columns_of_rate = 8, columns = static_cast<double>(history_columns(model).size());
+  const double memory = static_cast<double>(plan.memory_bytes) + cached_snapshot_bytes(model) +
+                        table[recording_rate("run")] +
+                        table[recording_rate("particle")] * static_cast<double>(plan.particles) +
+                        table[recording_rate("row")] * static_cast<double>(model.outputs.samples) * (columns + 1) /
+                            (columns_of_rate + 1);
+  return table.complete() ? std::optional(memory) : std::nullopt;
+}
+
+/// HDF5 keeps up to a mebibyte of the chunks of each dataset.
+double cached_snapshot_bytes(const Model& model) {
+  constexpr double most = 1 << 20;
+  if (model.outputs.samples_per_snapshot == 0) return 0;
+  const auto snapshots = static_cast<double>(model.outputs.samples / model.outputs.samples_per_snapshot + 1);
+  double sum = 0;
+  for (const std::size_t components : stored_components(model))
+    sum += std::min(most, snapshots * static_cast<double>(sizeof(double) * components) *
+                              static_cast<double>(model.particle_count()));
+  return sum;
+}
+
+double snapshot_bytes(const Model& model) {
+  const std::vector<std::size_t> components = stored_components(model);
+  return static_cast<double>(sizeof(double) *
+                             std::accumulate(components.begin(), components.end(), std::size_t{0})) *
+         static_cast<double>(model.particle_count());
+}
+
+std::optional<double> iteration_seconds(const Model& model, const StepSize& size, const Rates& rates) {
+  RateTable table(rates);
+  const double seconds = iteration(model, size, table);
+  return table.complete() ? std::optional(seconds) : std::nullopt;
+}
+
+std::optional<RunTime> run_time(const Model& model, const ModelPlan& plan, int threads, const Rates& rates) {
+  RateTable table(rates);
+  const Steps steps = steps_of(model, plan, table);
+  const auto samples = static_cast<double>(model.outputs.samples);
+  const auto particles = static_cast<double>(model.particle_count());
+  const double sampling = samples * table[sample_rate(model.dimension)] * particles;
+  const double snapshots = model.outputs.samples_per_snapshot == 0
+                               ? 0
+                               : samples / static_cast<double>(model.outputs.samples_per_snapshot) + 1;
+  const auto recording = [&](std::string (*rate)(std::string_view)) {
+    return table[rate("run")] + table[rate("particle")] * particles + table[rate("row")] * samples +
+           snapshots * (table[rate("snapshot")] + table[rate("snapshot_byte")] * snapshot_bytes(model));
+  };
+  const double waiting = threads > 1 ? steps.count * table[waiting_rate()] : 0;
+  RunTime time;
+  time.steps = steps.count;
+  time.core_seconds = steps.seconds + sampling + recording(processing_rate);
+  time.wall_seconds = (steps.seconds + sampling) / threads + waiting + recording(recording_rate);
+  if (!table.complete()) return std::nullopt;
+  return time;
+}
+
+}  // namespace trajan
