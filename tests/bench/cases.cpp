@@ -7,6 +7,7 @@ const std::vector<Case>& cases() {
   using enum Kind;
   static const std::vector<Case> all = {
       {{.name = "discs/MUSL"}, discs},
+      {{.name = "discs/MUSL/float", .precision = "FLOAT"}, discs},
       {{.name = "discs/USL", .scheme = "USL"}, discs},
       {{.name = "discs/MUSL/neo_hookean", .law = "neo_hookean"}, discs},
       {{.name = "discs/MUSL/contact", .contact = true}, discs},
@@ -19,6 +20,12 @@ const std::vector<Case>& cases() {
       {{.name = "bar/TLMPM/neo_hookean", .scheme = "TLMPM", .law = "neo_hookean"}, bar},
       {{.name = "bar/TLMPM/quadratic_bspline", .scheme = "TLMPM", .shape_functions = "quadratic_bspline"}, bar},
       {{.name = "block/MUSL", .dimension = solid}, block},
+      {{.name = "block/MUSL/float", .dimension = solid, .precision = "FLOAT"}, block},
+      {{.name = "block/MUSL/quadratic_bspline/float",
+        .shape_functions = "quadratic_bspline",
+        .dimension = solid,
+        .precision = "FLOAT"},
+       block},
       {{.name = "block/TLMPM/neo_hookean", .scheme = "TLMPM", .law = "neo_hookean", .dimension = solid}, block},
       {{.name = "block/MUSL/quadratic_bspline", .shape_functions = "quadratic_bspline", .dimension = solid},
        block},
