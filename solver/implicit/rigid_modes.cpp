@@ -42,17 +42,21 @@ struct RigidMode {
   }
 };
 
-std::vector<RigidMode> modes_of(Dimension dimension) {
+/// Where the grid repeats itself a body may hold on to its own image, and is not taken to turn.
+std::vector<RigidMode> modes_of(const Model& model) {
+  const Dimension dimension = model.dimension;
+  const bool turns = std::ranges::none_of(model.grid.periodic, [](bool periodic) { return periodic; });
   if (dimension == Dimension::bar) return {{0}};
   if (dimension == Dimension::axisymmetric) return {{1}};
-  if (dimension == Dimension::solid) return {{0}, {1}, {2}, {0, 1}, {1, 2}, {2, 0}};
-  return {{0}, {1}, {0, 1}};
+  if (dimension == Dimension::solid && turns) return {{0}, {1}, {2}, {0, 1}, {1, 2}, {2, 0}};
+  if (dimension == Dimension::solid) return {{0}, {1}, {2}};
+  if (turns) return {{0}, {1}, {0, 1}};
+  return {{0}, {1}};
 }
 
 class FreeMotion {
  public:
-  FreeMotion(const Model& model, const Discretization& on)
-      : model_(model), on_(on), modes_(modes_of(model.dimension)) {}
+  FreeMotion(const Model& model, const Discretization& on) : model_(model), on_(on), modes_(modes_of(model)) {}
 
   /// Of the component of this root; empty: none.
   std::string find(ConnectedNodes& components, std::uint32_t root, const Constraints& constraints) {

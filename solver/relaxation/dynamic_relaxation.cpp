@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "solver/implicit/rigid_modes.h"
+#include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/schemes/time_step.h"
 #include "solver/simulation/diverged.h"
@@ -60,8 +61,7 @@ bool may_be_stopped(const Model& model) {
     return std::holds_alternative<PrescribedMotion>(condition.kind) ||
            std::holds_alternative<HeldSurface>(condition.kind);
   };
-  return model.contacts.fields > 1 || !std::ranges::all_of(model.conditions, prescribes) ||
-         std::ranges::any_of(model.grid.periodic, [](bool periodic) { return periodic; });
+  return model.contacts.fields > 1 || !std::ranges::all_of(model.conditions, prescribes);
 }
 
 std::string remedy_of_stuck(const Model& model) {
@@ -70,6 +70,10 @@ std::string remedy_of_stuck(const Model& model) {
     return larger +
            "load slowly in explicit dynamics with analysis.damping: nodes at which bodies meet touch and "
            "part again while all else is nearly at rest";
+  if (is_total_lagrangian(model.numerics.scheme) || model.numerics.shape_functions != "linear")
+    return larger +
+           "take one more of bodies.particles_per_cell_side, or analysis.quasi_static: nodes that particles of a "
+           "surface hardly reach come to rest last";
   return larger +
          "choose numerics.scheme: \"TLMPM\" or smooth shape functions, by which particles that cross cells "
          "make no noise";
@@ -116,7 +120,11 @@ bool DynamicRelaxation::advance(double until, std::int64_t number) {
   if (steps_of_level_ % steps_per_time_step == 0) find_time_step();
   step();
   measure();
-  if (residual_ <= limits_.tolerance && is_settled()) {
+  if (residual_ <= limits_.tolerance) {
+    if (!is_settled()) {
+      watch_progress(true);
+      return false;
+    }
     from_ = until_;
     steps_of_last_level_ = steps_of_level_;
     return true;
@@ -157,7 +165,14 @@ void DynamicRelaxation::measure() {
   residual_ = scale > 0 ? unbalanced / scale : 0;
 }
 
+/// Velocities first catch up with the places of the particles: without the half kick the energies of two times
+/// would be compared, and work of half a step at the greatest speed be missing.
 void DynamicRelaxation::halt() {
+  StepTimes times;
+  times.step = number_;
+  times.time = times.after = until_;
+  times.before = until_ - 0.5 * time_step_;
+  synchronise(executor_, times);
   executor_.halt();
   at_rest_ = true;
   kinetic_energy_ = 0;

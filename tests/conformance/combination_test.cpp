@@ -141,13 +141,17 @@ Choices loads() {
           })};
 }
 
-/// Those without time, of a block that is held on its side and at rest. Relaxation and implicit dynamics choose
-/// their steps by the scene.
+/// Of the external forces. Nodes that splines hardly reach come to rest last, after thousands of steps.
+constexpr double tolerance_of_relaxation = 0.01;
+
+/// Beside explicit dynamics.
 Choices analyses() {
   const auto choose = [](const char* name, AnalysisKind kind) {
     return Choice{name, [kind](Scene& scene) { scene.analysis.kind = kind; }};
   };
-  return {choose("quasi_static", QuasiStatic{4}), choose("modal", Modal{}), choose("buckling", Buckling{})};
+  return {choose("relaxation", Relaxation{tolerance_of_relaxation}), choose("quasi_static", QuasiStatic{4}),
+          choose("implicit_dynamics", ImplicitDynamics{8}), choose("modal", Modal{}),
+          choose("buckling", Buckling{})};
 }
 
 Choices particles() {
@@ -177,15 +181,34 @@ std::vector<Choices> all_choices() {
           precisions()};
 }
 
-bool is_static(const Scene& scene) { return !std::holds_alternative<ExplicitDynamics>(scene.analysis.kind); }
+/// Of a block that is held on its side and at rest.
+bool is_static(const Scene& scene) {
+  return !std::holds_alternative<ExplicitDynamics>(scene.analysis.kind) &&
+         !std::holds_alternative<ImplicitDynamics>(scene.analysis.kind);
+}
 
-/// At rest, with a support and a load if there is none.
+/// At rest, with a support, and with a load that grows from nothing.
 Scene held_and_loaded(Scene scene) {
   scene.analysis.end_time = 1;
   if (scene.boundaries.empty()) scene.boundaries = {{"condition", nodes_on_side(scene.domain.dimension), Fixed{}}};
   if (scene.loads.empty() && !std::holds_alternative<Modal>(scene.analysis.kind))
     scene.loads = {{"load", BodyForce{{-0.1, 0}, {}}, 1.0}};
+  for (LoadDefinition& load : scene.loads) load.time = Ramp{0, 1, false};
+  // Velocities that are mapped twice miss a part of a surface load's work that falls with the step: 2 % at a half.
+  if (std::holds_alternative<Relaxation>(scene.analysis.kind)) scene.numerics.time_step_fraction = 0.125;
   return scene;
+}
+
+bool is_explicit(const Scene& scene) { return std::holds_alternative<ExplicitDynamics>(scene.analysis.kind); }
+
+/// The time in which sound crosses the block twice and a half.
+double crossings(const Scene& scene) {
+  const MaterialDefinition& material = scene.materials[0];
+  const MaterialKind& kind = *find_material_kind(material.law);
+  std::vector<double> values;
+  for (const auto& parameter : kind.parameters)
+    values.push_back(material.parameters.at(std::string(parameter.name)));
+  return 5 / kind.wave_speed(values, material.density, scene.domain.dimension);
 }
 
 /// A block that is stretched by its velocity and flies through some cells. Made once all choices are, since
@@ -204,8 +227,7 @@ Scene scene_of(const std::vector<const Choice*>& choices) {
   body.name = "block";
   body.material = "solid";
   body.geometry = Box{along_axes(dimension, 3), along_axes(dimension, 5)};
-  // Some steps, whatever the wave speed is.
-  scene.analysis.end_time = 1e9;
+  scene.analysis.end_time = is_explicit(scene) ? 1e9 : crossings(scene);
   scene.outputs.samples = 4;
   scene.outputs.snapshots = 1;
   if (is_static(scene)) return held_and_loaded(std::move(scene));
@@ -245,13 +267,44 @@ std::vector<Pair> all_pairs() {
   return pairs;
 }
 
+/// That momentum and energy are kept, as far as what the scene does can keep them, and forces are in balance at
+/// rest.
+void expect_right(const Scene& scene, const Model& model, const std::vector<std::vector<double>>& rows) {
+  const std::vector<double>&first = rows.front(), &last = rows.back();
+  for (double value : last) EXPECT_TRUE(std::isfinite(value));
+  const auto of = [&](const char* column) { return last[test::column(model, column)]; };
+  const double balance = of("energies.balance_error");
+  // Energy is never made; a coarse grid's leapfrog may be a hundredth off.
+  EXPECT_LT(balance, 0.01);
+  if (is_static(scene)) {
+    // Light nodes of splines, and XPIC, take some.
+    EXPECT_GT(balance, -0.03);
+    if (std::holds_alternative<Relaxation>(scene.analysis.kind)) {
+      EXPECT_LE(of("relaxation.residual"), tolerance_of_relaxation);
+    }
+    return;
+  }
+  if (!scene.boundaries.empty() || !scene.loads.empty()) return;
+  // Nothing acts on the block. Schemes and transfers that smooth take energy.
+  EXPECT_GT(balance, -0.2);
+  // A float velocity is rounded by up to 6e-8 of 0.2 in each of some 40 half steps, a cube of such blocks
+  // weighs 8.
+  const double rounding = model.numerics.precision == float_precision ? 4e-6 : 1e-9;
+  for (int axis = 0; axis < grid_axes(model.dimension); ++axis) {
+    if (axis == 0 && model.dimension == Dimension::axisymmetric) continue;
+    const std::size_t column =
+        test::column(model, std::string("momentum.") + std::string("xyz").at(static_cast<std::size_t>(axis)));
+    EXPECT_NEAR(last[column], first[column], rounding) << axis;
+  }
+}
+
 class Combination : public testing::TestWithParam<Pair> {};
 
 TEST_P(Combination, RunsRightOrIsRefusedWithAReason) {
   Scene scene = scene_of({GetParam().first, GetParam().second});
   try {
     // Twenty of the largest steps.
-    if (!is_static(scene)) scene.analysis.end_time = 20 * plan(validate(scene)).time_step;
+    if (is_explicit(scene)) scene.analysis.end_time = 20 * plan(validate(scene)).time_step;
     const Model model = validate(scene);
     test::Memory memory;
     const RunResult result = run(model, {}, memory, nullptr);
@@ -262,27 +315,7 @@ TEST_P(Combination, RunsRightOrIsRefusedWithAReason) {
       return;
     }
     ASSERT_EQ(result.end, RunEnd::finished) << result.divergence->cause;
-    const std::vector<double>&first = memory.rows.front(), &last = memory.rows.back();
-    for (double value : last) EXPECT_TRUE(std::isfinite(value));
-    const std::vector<std::string> columns = history_columns(model);
-    // A float velocity is rounded by up to 6e-8 of 0.2 in each of some 40 half steps, a cube of such blocks
-    // weighs 8.
-    const double rounding = model.numerics.precision == float_precision ? 4e-6 : 1e-9;
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      // Where nothing acts on the block momentum is kept but for rounding, and energy is never made. Of it a
-      // coarse grid's leapfrog may be a hundredth off, and schemes and transfers that smooth take some.
-      const bool radial = scene.domain.dimension == Dimension::axisymmetric && columns[c] == "momentum.x";
-      const bool free = scene.boundaries.empty() && scene.loads.empty();
-      if (columns[c].starts_with("momentum.") && !radial && free) {
-        EXPECT_NEAR(last[c], first[c], rounding) << columns[c];
-      }
-      if (columns[c] == "energies.balance_error") {
-        EXPECT_LT(last[c], 0.01);
-        if (free) {
-          EXPECT_GT(last[c], -0.2);
-        }
-      }
-    }
+    expect_right(scene, model, memory.rows);
   } catch (const InvalidScene& refused) {
     ASSERT_FALSE(refused.violations().empty());
     for (const Violation& violation : refused.violations()) {
