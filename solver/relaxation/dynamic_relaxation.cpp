@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "solver/implicit/rigid_modes.h"
+#include "solver/model/names.h"
 #include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/schemes/time_step.h"
@@ -18,10 +19,10 @@ namespace {
 /// Wave speeds change as bodies deform: the time step is found again after so many steps.
 constexpr std::int64_t steps_per_time_step = 64;
 
-/// A level is stuck if for so many maxima of the kinetic energy, and for so many times the steps that it took to
-/// the least residual, that has not become less by this share. Levels that converge improve by more with each
-/// maximum or two.
-constexpr std::int64_t most_vain_peaks = 100, most_vain_times = 3;
+/// A level is stuck if for so many maxima of the kinetic energy, or so many times the time that it is given to
+/// come to one, and for so many times the steps that it took to the least residual, that has not become less by
+/// this share. Levels that converge improve by more with each maximum or two.
+constexpr std::int64_t most_vain_peaks = 100, most_vain_times = 3, most_vain_waits = 4;
 constexpr double least_improvement = 0.5;
 
 /// A body that vibrates comes to a maximum of its kinetic energy within a quarter of its longest period, which is
@@ -64,19 +65,67 @@ bool may_be_stopped(const Model& model) {
   return model.contacts.fields > 1 || !std::ranges::all_of(model.conditions, prescribes);
 }
 
+/// The node of the largest unbalanced force, after a kick: where it is in cells, and its velocity field.
+struct LeastBalanced {
+  std::array<double, 3> place{};
+  std::uint32_t field = 0;
+
+  LeastBalanced(const Tiles& tiles, int axes) {
+    const int side = tiles.layout().side;
+    double largest = -1;
+    for (std::size_t t = 0; t < tiles.tiles().size(); ++t)
+      for (int node = 0; node < tile_nodes; ++node) {
+        const double* values = tiles.nodes(t) + node;
+        double square = 0;
+        for (int axis = 0; axis < axes; ++axis) {
+          const double a = values[quantity(node_acceleration, axis, axes) * tile_nodes];
+          square += std::pow(values[quantity_mass * tile_nodes] * a, 2);
+        }
+        if (!(square > largest)) continue;
+        largest = square;
+        const Tile& tile = tiles.tiles()[t];
+        field = tile.field;
+        const int within[] = {node % side, node / side % side, node / (side * side)};
+        for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = side * tile.at[axis] + within[axis];
+      }
+  }
+};
+
+/// The particle that is nearest to the largest unbalanced force.
+Slot least_balanced_particle(const Model& model, const Executor& executor) {
+  const int axes = grid_axes(model.dimension);
+  const LeastBalanced node(executor.tiles(), axes);
+  const double origin[] = {model.grid.origin.x, model.grid.origin.y, model.grid.origin.z};
+  Slot nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t b = 0; b < executor.bodies().size(); ++b) {
+    if (model.contacts.fields > 1 && model.contacts.field_of[b] != node.field) continue;
+    const BodyParticles& body = executor.bodies()[b];
+    for (std::uint32_t i = 0; i < body.size(); ++i) {
+      double square = 0;
+      for (int axis = 0; axis < axes; ++axis) {
+        const double x = body.component(Attribute::position_x, axis)[i] - origin[axis];
+        square += std::pow(x - model.grid.cell * node.place[static_cast<std::size_t>(axis)], 2);
+      }
+      if (square < least) least = square, nearest = {b, i};
+    }
+  }
+  return nearest;
+}
+
 std::string remedy_of_stuck(const Model& model) {
   const std::string larger = "accept a larger analysis.relaxation.tolerance, or ";
+  if (model.numerics.shape_functions != "linear" && model.numerics.shape_functions != "bernstein")
+    return larger +
+           "take one more of bodies.particles_per_cell_side: nodes that particles of a surface hardly reach come "
+           "to "
+           "rest last, and linear functions have none";
   if (has_contact(model))
     return larger +
            "load slowly in explicit dynamics with analysis.damping: nodes at which bodies meet touch and "
            "part again while all else is nearly at rest";
-  if (is_total_lagrangian(model.numerics.scheme) || model.numerics.shape_functions != "linear")
-    return larger +
-           "take one more of bodies.particles_per_cell_side, or analysis.quasi_static: nodes that particles of a "
-           "surface hardly reach come to rest last";
-  return larger +
-         "choose numerics.scheme: \"TLMPM\" or smooth shape functions, by which particles that cross cells "
-         "make no noise";
+  if (is_total_lagrangian(model.numerics.scheme)) return larger + "choose analysis.quasi_static";
+  return larger + "choose numerics.scheme: \"TLMPM\", by which no particles cross cells and make noise";
 }
 
 }  // namespace
@@ -108,7 +157,7 @@ void DynamicRelaxation::save(Checkpoint&) const {}
 
 void DynamicRelaxation::begin_level() {
   at_rest_ = true;
-  kinetic_energy_ = first_unbalanced_ = 0;
+  first_unbalanced_ = 0;
   steps_of_level_ = least_at_ = peaks_since_ = last_peak_ = 0;
   least_ = 1;
 }
@@ -129,10 +178,10 @@ bool DynamicRelaxation::advance(double until, std::int64_t number) {
     steps_of_last_level_ = steps_of_level_;
     return true;
   }
-  const double energy = executor_.account().balance().kinetic_energy;
-  const bool peak = !at_rest_ && energy < kinetic_energy_;
+  // Not by the kinetic energy of the nodes: what a kick gives them falls with the forces, and of smooth functions
+  // most of it is lost on the particles.
+  const bool peak = executor_.account().balance().power < 0;
   at_rest_ = false;
-  kinetic_energy_ = energy;
   if (peak) halt();
   watch_progress(peak);
   return false;
@@ -175,7 +224,6 @@ void DynamicRelaxation::halt() {
   synchronise(executor_, times);
   executor_.halt();
   at_rest_ = true;
-  kinetic_energy_ = 0;
 }
 
 /// The forces were those of the places before the step: looks again where the particles are now, at rest.
@@ -210,15 +258,19 @@ void DynamicRelaxation::watch_progress(bool peak) {
     least_at_ = steps_of_level_;
     peaks_since_ = 0;
   }
-  const bool stuck = peaks_since_ > most_vain_peaks && steps_of_level_ > (1 + most_vain_times) * least_at_;
+  const double vain_time = static_cast<double>(steps_of_level_ - least_at_) * time_step_;
+  const bool vain =
+      peaks_since_ > most_vain_peaks || vain_time > most_vain_waits * most_crossings * crossing_time_;
+  const bool stuck = vain && steps_of_level_ > (1 + most_vain_times) * least_at_;
   if (!stuck && steps_of_level_ < limits_.most_steps) return;
   refuse_free_motion();
+  const Slot worst = least_balanced_particle(model_, executor_);
   std::ostringstream cause;
   cause << (stuck ? "the relaxation is stuck" : "the relaxation has not come to rest") << " after "
         << steps_of_level_ << " steps of a load level: unbalanced forces are " << residual_
-        << " of the external ones, at best " << least_;
-  const Slot fastest = fastest_particle(executor_, grid_axes(model_.dimension));
-  throw Diverged({number_, until_, particle_number(model_, executor_, fastest), cause.str(),
+        << " of the external ones, at best " << least_ << " (" << limits_.tolerance
+        << " is asked for), most in body " << quoted(model_.bodies[worst.body].name);
+  throw Diverged({number_, until_, particle_number(model_, executor_, worst), cause.str(),
                   stuck ? remedy_of_stuck(model_)
                         : "allow more analysis.relaxation.most_steps; a body that no boundary holds never rests"});
 }

@@ -43,7 +43,6 @@ class DynamicRelaxation : public Stepper {
   double from_ = 0, until_ = 0;  ///< times of the last level and of the present one
   double time_step_ = 0;
   bool at_rest_ = true;
-  double kinetic_energy_ = 0;
   /// Unbalanced forces over external ones, or where there are none over the first unbalanced ones of the level:
   /// norms over all nodes.
   double residual_ = 0;

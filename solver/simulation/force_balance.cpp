@@ -14,7 +14,6 @@ ForceBalance force_balance(const NodeBlock& block, int axes) {
     const double* load = sums.values[quantity(sum_load, axis, axes)];
     const double* momentum = sums.values[quantity(sum_momentum, axis, axes)];
     const double* acceleration = block.nodes + quantity(node_acceleration, axis, axes) * tile_nodes;
-    const double* velocity = block.nodes + quantity(node_velocity, axis, axes) * tile_nodes;
     for (int i = 0; i < tile_nodes; ++i) {
       if (!(mass[i] > block.least_mass)) continue;
       const double net = mass[i] * acceleration[i] + block.damping * momentum[i];
@@ -22,7 +21,7 @@ ForceBalance force_balance(const NodeBlock& block, int axes) {
       balance.unbalanced += net * net;
       balance.internal += force[i] * force[i];
       balance.external += load[i] * load[i] + reaction * reaction;
-      balance.kinetic_energy += 0.5 * mass[i] * velocity[i] * velocity[i];
+      balance.power += net * momentum[i] / mass[i];
     }
   }
   return balance;

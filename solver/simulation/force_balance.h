@@ -6,15 +6,15 @@ namespace trajan {
 
 /// What the forces on the nodes amount to, sums of squares over nodes and components.
 struct ForceBalance {
-  double unbalanced = 0;      ///< internal forces, loads and reactions together
-  double internal = 0;        ///< internal forces
-  double external = 0;        ///< loads and reactions, each by itself
-  double kinetic_energy = 0;  ///< of the nodes after the kick
+  double unbalanced = 0;  ///< internal forces, loads and reactions together
+  double internal = 0;    ///< internal forces
+  double external = 0;    ///< loads and reactions, each by itself
+  double power = 0;       ///< of unbalanced forces, with the velocities before the kick
   ForceBalance& operator+=(const ForceBalance& other) {
     unbalanced += other.unbalanced;
     internal += other.internal;
     external += other.external;
-    kinetic_energy += other.kinetic_energy;
+    power += other.power;
     return *this;
   }
 };

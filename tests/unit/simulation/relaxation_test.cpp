@@ -76,6 +76,22 @@ TEST_P(RelaxedRod, HangsAsStaticsSaysAtEveryLevelOfItsLoad) {
   }
 }
 
+// Smooth functions give particles less than a tenth of what nodes move by in their shortest waves. The energy of
+// the nodes' velocities had its maxima where the force became less, which stopped particles again and again.
+TEST(Relaxation, StopsParticlesWhereTheirOwnEnergyIsLargest) {
+  Scene scene = rod("MUSL");
+  scene.bodies.pop_back();
+  scene.numerics.shape_functions = "quadratic_bspline";
+  scene.outputs.samples = 1;
+  scene.outputs.probes.clear();
+  const Model model = validate(scene);
+  test::Memory memory;
+  ASSERT_EQ(run(model, {}, memory, nullptr).end, RunEnd::finished);
+  // A wave takes 20 steps through the rod, the slowest motion of the outermost node ten times as long; seven
+  // powers of ten take some of these.
+  EXPECT_LT(memory.rows.at(1)[test::column(model, "relaxation.steps")], 2000);
+}
+
 /// The divergence that a relaxation ends with.
 Divergence failure(const Scene& scene) {
   const Model model = validate(scene);
@@ -107,6 +123,25 @@ TEST(Relaxation, DoesNotWaitForTheLastStepToSaySo) {
   EXPECT_THAT(failure(scene).cause, HasSubstr("body \"upper\" can move freely along (1)"));
   // Waves of 0.7 m/s take 20 steps of half the limit through the longer half; 64 times that.
   EXPECT_LT(divergence.step, 5000);
+}
+
+// Two blocks of a few cells in contact. Their strains of 1e-9, which the law finds as what deformations are more
+// than 1, have seven digits, and twelve are asked for.
+TEST(Relaxation, EndsWhereItMakesNoMoreProgressAndSaysWhere) {
+  Scene scene = rod("MUSL");
+  scene.domain = {Dimension::plane_strain, {0, 0}, {1, 2}, 0.25, 1, {}};
+  scene.bodies = {{"lower", "soft", Box{{0.25, 0}, {0.75, 0.5}}, 2, {}},
+                  {"upper", "soft", Box{{0.25, 0.5}, {0.75, 1}}, 2, {}}};
+  for (MaterialDefinition& definition : scene.materials) definition.law = "neo_hookean";
+  scene.contacts.emplace_back();
+  scene.boundaries = {{"ground", Box{{0, 0}, {1, 0}}, Fixed{}}};
+  scene.loads = {{"gravity", BodyForce{{0, -1e-6 * gravity}, {}}, 1.0}};
+  scene.analysis = {1, 0, Relaxation{1e-12}};
+  const Divergence divergence = failure(scene);
+  EXPECT_THAT(divergence.cause, HasSubstr("the relaxation is stuck after"));
+  EXPECT_THAT(divergence.cause, HasSubstr("1e-12 is asked for), most in body \""));
+  EXPECT_THAT(divergence.remedy, HasSubstr("analysis.relaxation.tolerance"));
+  EXPECT_GE(divergence.particle, 0);
 }
 
 TEST(Relaxation, GivesTheSameBitsOnThreadsAndFromCheckpoints) {
