@@ -1,5 +1,6 @@
 #include "solver/implicit/rigid_modes.h"
 #include "solver/modal/mode_steps.h"
+#include "solver/model/names.h"
 
 namespace trajan {
 namespace {
@@ -44,7 +45,11 @@ ModeProblem BucklingSteps::make_problem(const GridView& view) {
   const Eigen::VectorXd answer =
       problem.expand * solver.solve(gather * (forces - stiffness * constraints.given())) + constraints.given();
   const double largest = answer.cwiseAbs().maxCoeff();
-  if (!(largest > 0)) diverge("the loads at the end are zero", "give loads or prescribed displacements");
+  if (!(largest > 0))
+    diverge("loads and prescribed displacements are zero at analysis.end_time, " + number_text(model_.end_time) +
+                ", and analysis.buckling finds factors of what they are then",
+            "give loads[...] a time function that is not zero there, such as time { ramp { duration: " +
+                number_text(model_.end_time) + " } }, or another analysis.end_time");
   const double share = difference_share * model_.grid.cell / largest;
   problem.other =
       gather * ((tangent_at(share * answer) - tangent_at(-share * answer)) / (2 * share)) * problem.expand;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "solver/model/names.h"
 #include "solver/model/validator.h"
 
@@ -7,6 +9,14 @@ namespace {
 
 /// Its parts, of which there can be as many as samples and steps, are still normal numbers.
 constexpr double shortest_time = 1e-280;
+
+/// The field of a condition that prescribes a motion; nullptr: it prescribes none.
+const char* prescribed_motion(const decltype(BoundaryDefinition::condition)& condition) {
+  if (std::holds_alternative<PrescribedVelocity>(condition)) return "prescribed_velocity";
+  if (std::holds_alternative<PrescribedDisplacement>(condition)) return "prescribed_displacement";
+  const auto* hinge = std::get_if<Hinge>(&condition);
+  return hinge && (hinge->displacement.x || hinge->displacement.y || hinge->displacement.z) ? "hinge" : nullptr;
+}
 
 }  // namespace
 
@@ -98,16 +108,10 @@ void Validator::check_kind(const QuasiStatic& analysis) {
                     "a path is followed by the unknowns of one grid, which the updated configuration renews",
                     "choose \"TLMPM\"");
   for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
-    const auto& condition = scene_.boundaries[i].condition;
-    const std::string at = indexed("boundaries", i) + ".";
-    const auto* hinge = std::get_if<Hinge>(&condition);
-    const char* moves = std::holds_alternative<PrescribedVelocity>(condition)       ? "prescribed_velocity"
-                        : std::holds_alternative<PrescribedDisplacement>(condition) ? "prescribed_displacement"
-                        : hinge && (hinge->displacement.x || hinge->displacement.y || hinge->displacement.z)
-                            ? "hinge"
-                            : nullptr;
+    const char* moves = prescribed_motion(scene_.boundaries[i].condition);
     if (moves)
-      violations_.add(at + moves, "", "a path is traced under loads, with what is held at rest",
+      violations_.add(indexed("boundaries", i) + "." + moves, "",
+                      "a path is traced under loads, with what is held at rest",
                       "apply loads, or take steps of given motion without arc_length");
   }
 }
@@ -154,6 +158,15 @@ void Validator::check_kind(const Modal& analysis) {
   check_mass("analysis.modal", analysis.mass);
 }
 
-void Validator::check_kind(const Buckling&) { check_modes(); }
+void Validator::check_kind(const Buckling&) {
+  check_modes();
+  const auto moves = [](const BoundaryDefinition& boundary) {
+    return prescribed_motion(boundary.condition) != nullptr;
+  };
+  if (scene_.loads.empty() && std::ranges::none_of(scene_.boundaries, moves))
+    violations_.add("loads", "",
+                    "analysis.buckling finds the factors of loads at which bodies buckle, and there are none",
+                    "give a load or a prescribed displacement that is not zero at analysis.end_time");
+}
 
 }  // namespace trajan

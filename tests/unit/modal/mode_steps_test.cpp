@@ -122,8 +122,19 @@ TEST(Buckling, OfABodyThatNothingHoldsNamesIt) {
 
 TEST(Buckling, NeedsALoad) {
   Scene scene = pulled("TLMPM", Buckling{});
+  scene.loads[0].time = "4 - t";
+  const Divergence divergence = divergence_of(scene);
+  EXPECT_THAT(divergence.cause, HasSubstr("loads and prescribed displacements are zero at analysis.end_time, 4"));
+  EXPECT_THAT(divergence.remedy, HasSubstr("ramp"));
   scene.loads.clear();
-  EXPECT_THAT(divergence_of(scene).cause, HasSubstr("loads at the end are zero"));
+  try {
+    validate(scene);
+    FAIL();
+  } catch (const InvalidScene& invalid) {
+    ASSERT_EQ(invalid.violations().size(), 1u);
+    EXPECT_EQ(invalid.violations()[0].path, "loads");
+    EXPECT_THAT(invalid.violations()[0].remedy, HasSubstr("give a load"));
+  }
 }
 
 TEST(Modes, MustNotBeOfAPressureThatFollowsTheSurface) {
