@@ -18,6 +18,8 @@ namespace {
 /// Equations this badly conditioned make one ask whether all bodies are held.
 constexpr double suspicious_condition = 1e-10;
 constexpr const char* state_name = "step";
+/// Of the whole time: what load a body bears is not asked for more precisely.
+constexpr double least_share = 1e-7;
 constexpr double asymmetry = 1e-9;
 
 /// Whether the tangent of a step has a direction without resistance, though it is symmetric. Paths by arc length
@@ -37,6 +39,7 @@ ImplicitSteps::ImplicitSteps(const Model& model, Executor& executor, const Newto
       executor_(executor),
       options_(newton),
       longest_(model.end_time / steps),
+      shortest_(std::min(least_share * model.end_time, std::ldexp(longest_, -newton.most_cuts))),
       total_lagrangian_(is_total_lagrangian(model.numerics.scheme)),
       responses_(model, executor),
       solver_(newton.linear_solver),
@@ -47,11 +50,12 @@ ImplicitSteps::ImplicitSteps(const Model& model, Executor& executor, const Newto
   length_ = state[0];
   steps_ = static_cast<std::int64_t>(state[1]);
   iterations_ = static_cast<std::int64_t>(state[2]);
+  out_of_reach_ = state[3];
 }
 
 void ImplicitSteps::save(Checkpoint& checkpoint) const {
-  checkpoint.arrays.push_back(
-      {state_name, std::vector<double>{length_, static_cast<double>(steps_), static_cast<double>(iterations_)}});
+  checkpoint.arrays.push_back({state_name, std::vector<double>{length_, static_cast<double>(steps_),
+                                                               static_cast<double>(iterations_), out_of_reach_}});
 }
 
 std::int64_t ImplicitSteps::steps_left() const {
@@ -123,8 +127,10 @@ void ImplicitSteps::accept() {
   iterations_ += newton_->iterations();
   residuals_ = newton_->residuals();
   cuts_ = 0;
-  if (2 * newton_->iterations() <= options_.most_iterations)
-    length_ = std::min(length_ * options_.growth, longest_);
+  const double grown = std::min(length_ * options_.growth, longest_);
+  // Not past where there was no way to: what a step half as long did not reach, a longer one will not.
+  const bool into_the_unknown = time_ < out_of_reach_ && time_ + grown > out_of_reach_;
+  if (2 * newton_->iterations() <= options_.most_iterations && !into_the_unknown) length_ = grown;
   newton_.reset();
   balance_.reset();
   if (total_lagrangian_) return;
@@ -137,10 +143,15 @@ void ImplicitSteps::accept() {
   view_.reset();
 }
 
+/// Towards a load that cannot be borne steps that converge become ever shorter, so that their length says that
+/// there is no way on, and not only how often one has been cut.
 void ImplicitSteps::cut() {
-  if (cuts_ == options_.most_cuts || newton_->failure() == NewtonIterations::Failure::no_load) give_up();
-  ++cuts_;
   length_ = 0.5 * balance_->duration();
+  if (cuts_ == options_.most_cuts || length_ < shortest_ ||
+      newton_->failure() == NewtonIterations::Failure::no_load)
+    give_up();
+  ++cuts_;
+  out_of_reach_ = next_;
   newton_.reset();
   balance_.reset();
 }

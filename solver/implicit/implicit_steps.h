@@ -58,7 +58,7 @@ class ImplicitSteps : public Stepper {
   const Model& model_;
   Executor& executor_;
   const Newton& options_;
-  double longest_;  ///< step
+  double longest_, shortest_;  ///< steps
   bool total_lagrangian_;
   Responses responses_;
   SparseSolver solver_;
@@ -69,6 +69,7 @@ class ImplicitSteps : public Stepper {
   double sample_ = -1;          ///< time of the next sample
   double length_;               ///< of the next step, if samples do not make it shorter
   int cuts_ = 0;                ///< in a row
+  double out_of_reach_ = 0;     ///< time up to which the last step that was cut would have gone
   std::int64_t number_ = 0, steps_ = 0, iterations_ = 0;
   std::vector<double> residuals_;
 };

@@ -60,6 +60,20 @@ TEST(ArcLength, GoesOnWhereARampEndsWithTheRun) {
   EXPECT_NEAR(largest, 2, 4e-3) << "twice the load at the end of the ramp, as flat as before";
 }
 
+TEST(ArcLength, IsWhatGetsBeyondALimitThatStepsOfGivenLoadEndAt) {
+  Scene scene = crushed_bar();
+  std::get<EdgeTraction>(scene.loads[0].kind).traction.x /= 0.75;
+  scene.analysis.kind = QuasiStatic{10};
+  const Answer answer = solve(validate(scene));
+  ASSERT_EQ(answer.result.end, RunEnd::diverged);
+  EXPECT_THAT(answer.result.divergence->cause,
+              ::testing::HasSubstr("no equilibrium is found beyond the load factor 0.750000"));
+  EXPECT_THAT(answer.result.divergence->remedy, ::testing::HasSubstr("arc_length"));
+  // From the tenth of a load step to the ten-millionth that is the shortest there are 20 halvings, each with a
+  // step that finds a balance and one that takes all 20 iterations and does not.
+  EXPECT_LT(answer.result.divergence->step, 20 * 40);
+}
+
 TEST(ArcLength, NeedsLoadsThatGrow) {
   for (Scene scene : {ramped_bar(0.5), crushed_bar()}) {
     if (std::holds_alternative<Ramp>(scene.loads[0].time) == false) scene.loads[0].time = 1.0;
