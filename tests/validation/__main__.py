@@ -35,7 +35,7 @@ def arguments():
 
 def run(number, service, chosen):
     module = load(number)
-    section = Section(number, module.TITLE, module.SOURCE, service, chosen.folder, chosen.quick)
+    section = Section(number, module.TITLE, module.SOURCE, module.RESOLUTION, service, chosen.folder, chosen.quick)
     print(f"case {number}: {module.TITLE}", flush=True)
     try:
         module.run(section)

@@ -56,15 +56,19 @@ def unique(items):
 
 
 def section_text(section):
-    lines = [f"## {section.number}. {section.title}", "", f"Dissertation, {section.source}.", ""]
+    source = f"Dissertation, {section.source}. Its resolution: {section.resolution}."
+    lines = [f"## {section.number}. {section.title}", "", source, ""]
     for remark in section.remarks:
         lines += [remark, ""]
     if section.failure:
         lines += ["**This case failed:**", "", "```", section.failure.rstrip(), "```", ""]
     goals = [row for row in section.rows if row.goal is not None]
-    others = [row for row in section.rows if row.goal is None]
+    own = [row for row in section.rows if row.goal is None and row.own]
+    others = [row for row in section.rows if row.goal is None and not row.own]
     if goals:
         lines += table(goals) + [""]
+    if own:
+        lines += ["At the dissertation's own resolution, and by other functions for about the same cost:", "", *table(own), ""]
     if others:
         lines += ["For comparison, with other settings:", "", *table(others), ""]
     for caption, headings, text in section.tables:
@@ -101,7 +105,8 @@ def markdown(sections):
 def data(section):
     rows = [asdict(row) | {"error": row.error, "printed_error": row.printed_error, "met": row.met} for row in section.rows]
     return {
-        "number": section.number, "title": section.title, "source": section.source, "rows": rows,
+        "number": section.number, "title": section.title, "source": section.source,
+        "resolution": section.resolution, "rows": rows,
         "pictures": [file for file, _ in section.pictures], "remarks": section.remarks, "tables": section.tables, "failure": section.failure,
         "core_seconds": section.core_seconds,
     }

@@ -31,7 +31,7 @@ class Rows(unittest.TestCase):
 
 class Sections(unittest.TestCase):
     def section(self, *rows):
-        section = Section(1, "title", "source", None, None, False)
+        section = Section(1, "title", "source", "4 cells", None, None, False)
         section.rows = list(rows)
         return section
 
@@ -47,15 +47,19 @@ class Sections(unittest.TestCase):
         self.assertIn("failed: case 1", report.verdict([section]))
 
     def test_the_report_has_all_rows_reasons_and_tables(self):
-        section = self.section(row(what="good", goal=1e-2), row(what="bad", goal=1e-9, why="of course"), row(what="other"))
+        section = self.section(
+            row(what="good", goal=1e-2), row(what="bad", goal=1e-9, why="of course"), row(what="other"),
+            row(what="theirs", own=True),
+        )
         section.table("numbers:", ["a", "b"], [["1", "2"]])
         with tempfile.TemporaryDirectory() as folder:
             report.write([section], pathlib.Path(folder))
             text = (pathlib.Path(folder) / "report.md").read_text(encoding="utf-8")
             data = json.loads((pathlib.Path(folder) / "report.json").read_text(encoding="utf-8"))
-        for part in ("1 of 2 goals met", "| good |", "| bad |", "| other |", "of course", "| 1 | 2 |"):
+        expected = "1 of 2 goals met", "| good |", "| bad |", "| other |", "| theirs |", "of course", "4 cells", "| 1 | 2 |"
+        for part in expected:
             self.assertIn(part, text)
-        self.assertEqual([one["met"] for one in data[0]["rows"]], [True, False, None])
+        self.assertEqual([one["met"] for one in data[0]["rows"]], [True, False, None, None])
 
 
 if __name__ == "__main__":

@@ -20,7 +20,8 @@ class Row:
     """A number: what the dissertation prints, what is true, what Trajan finds.
 
     Errors are shares of `scale`, by default of the true value. `goal` is the largest error allowed; a row without
-    one is shown for comparison. `why` explains a row that misses its goal or is worse than the dissertation.
+    one is shown for comparison. `why` explains a row that misses its goal or is worse than the dissertation. `own`: at
+    the dissertation's own resolution, or by other functions for about the cost of that; such a row has no goal.
     """
 
     what: str
@@ -34,6 +35,7 @@ class Row:
     goal: float | None = None
     scale: float | None = None
     why: str = ""
+    own: bool = False
 
     def _error(self, value):
         return abs(value - self.true) / abs(self.true if self.scale is None else self.scale)
@@ -58,8 +60,9 @@ class Row:
 class Section:
     """A case under way: runs its scenes and collects what the report says of it."""
 
-    def __init__(self, number, title, source, service, folder, quick):
+    def __init__(self, number, title, source, resolution, service, folder, quick):
         self.number, self.title, self.source = number, title, source
+        self.resolution = resolution  # what the dissertation says of its cells and points
         self.quick = quick
         self.rows = []
         self.pictures = []  # (file name, caption)

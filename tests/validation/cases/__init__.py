@@ -1,4 +1,4 @@
-"""The cases by number: each is a module with TITLE, SOURCE and run(section)."""
+"""The cases by number: each is a module with TITLE, SOURCE, RESOLUTION and run(section)."""
 
 import importlib
 

@@ -6,6 +6,7 @@ from validation import plots
 
 TITLE = "Axial vibration of a bar"
 SOURCE = "section 4.1.3, figures 5 and 6, section 4.2.5, figure 22"
+RESOLUTION = "10 × 1, 20 × 2 and 20 × 4 points, cells not stated"
 
 LENGTH, MODULUS, DENSITY, SPEED = 10.0, 1e4, 1.0, 0.1
 BETA = np.pi / (2 * LENGTH)
@@ -73,11 +74,11 @@ def rows(section, settings, result, moved, fine):
             worst = np.abs(value - exact)[early].max() / np.abs(exact).max()
             section.row(
                 f"{name} of the end, worst of {periods} periods in amplitudes", 0.0, SOURCE_OF_TRUTH, worst, settings,
-                result.core_seconds, goal=0.01 if fine else None, scale=1.0,
+                result.core_seconds, goal=0.01 if fine else None, scale=1.0, own=not fine,
             )
     section.row(
         "frequency", OMEGA / (2 * np.pi), SOURCE_OF_TRUTH, result.measures["frequency"], settings, result.core_seconds,
-        goal=1e-3 if fine else None,
+        goal=1e-3 if fine else None, own=not fine,
     )
 
 

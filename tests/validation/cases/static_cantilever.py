@@ -9,6 +9,7 @@ from validation import beams, plots
 
 TITLE = "Static cantilever"
 SOURCE = "section 4.1.4, table 4, figure 9"
+RESOLUTION = "32 cells, 16 and 32 points; 16 cannot fill so many cells and are not shown"
 
 PRINTED_REFERENCE = -0.683
 PRINTED = {16: -0.787, 32: -0.681}
@@ -60,8 +61,7 @@ def linear(section, clamp, words, true):
     runs = [
         ("coarse_1", 1 / 2, "quasi_static", {"particles": 1}, "linear functions, 16 × 2 cells, 32 points", 32, None),
         ("coarse_2", 1 / 2, "quasi_static", {"particles": 2}, "linear functions, 16 × 2 cells, 128 points", 32, None),
-        ("coarse_4", 1 / 2, "quasi_static", {"particles": 4, "shapes": "quadratic_bspline"},
-         "quadratic B-splines, 16 × 2 cells, 512 points", 32, None),
+        ("coarse_4", 1 / 2, "quasi_static", beams.BEST, f"{beams.BEST_NAME}, 16 × 2 cells, 512 points", 32, None),
         ("medium", 1 / 16, "quasi_static", {"particles": 3, "shapes": "quadratic_bspline"},
          "quadratic B-splines, cells of 1/16, 9 points each", 32, GOAL),
         ("fine", 1 / 32, "quasi_static", {}, "linear functions, cells of 1/32", 32, GOAL),
@@ -77,7 +77,7 @@ def linear(section, clamp, words, true):
         lines[name] = x, across[-1]
         section.row(
             f"end deflection, {words}", true, PLANE, beams.free_end(x, across)[-1], f"{kind}, {settings}",
-            result.core_seconds, PRINTED[points], PRINTED_REFERENCE, goal,
+            result.core_seconds, PRINTED[points], PRINTED_REFERENCE, goal, own=cell == 1 / 2,
         )
     return lines
 
