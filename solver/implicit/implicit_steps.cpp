@@ -163,7 +163,7 @@ void ImplicitSteps::refuse_free_motion() const {
   if (factors.regular && factors.reciprocal_condition > suspicious_condition) return;
   const std::string motion = find_free_motion(model_, view_->on, balance_->constraints());
   if (!motion.empty())
-    diverge(motion + ": nothing holds it, and an equilibrium is not one place",
+    diverge(motion + ": nothing holds it, and it has no equilibrium, or many",
             "hold it by a boundary condition, or choose a dynamic analysis");
 }
 
@@ -187,7 +187,7 @@ void ImplicitSteps::give_up() const {
   }
   if (newton_->failure() == Failure::singular || !newton_->factors().positive_definite)
     diverge(beyond + "the stiffness of " + largest_place(model_, view_->on, newton_->weakest()) +
-                " is lost, and there is none beside this one, or more than one",
+                " is lost: the body bears no more, or may go more than one way from here",
             "apply less load, or trace the path by analysis.quasi_static.arc_length");
   give_up_on_balance(beyond);
 }
