@@ -7,6 +7,7 @@
 #include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/diverged.h"
+#include "solver/simulation/kinks.h"
 #include "solver/simulation/make_scratch.h"
 
 namespace trajan {
@@ -21,12 +22,6 @@ TileIndex period_in_tiles(const Grid& grid, const Layout& layout) {
   for (std::size_t axis = 0; axis < period.size(); ++axis)
     if (grid.periodic[axis]) period[axis] = static_cast<std::int32_t>(grid.cells()[axis] / layout.side);
   return period;
-}
-
-/// Whether particles keep the slopes that their shape functions have at faces of cells, where these have kinks.
-bool has_kinks_at_rest(const Model& model) {
-  const std::string& functions = model.numerics.shape_functions;
-  return is_total_lagrangian(model.numerics.scheme) && (functions == "linear" || functions == "bernstein");
 }
 
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.

@@ -8,6 +8,7 @@
 #include "solver/schemes/law_response.h"
 #include "solver/schemes/law_state.h"
 #include "solver/schemes/schemes.h"
+#include "solver/simulation/kinks.h"
 #include "solver/transfers/transfer.h"
 
 namespace trajan {
@@ -66,13 +67,41 @@ void fill_affine(BodyParticles& made, const Model& model, const Body& body) {
   });
 }
 
+/// In cells; what is nearer to a face of cells lies on it but for rounding.
+constexpr double on_a_face = 1e-9;
+
+/// A coordinate in cells, of a particle of a body whose particles lie between `first` and `last`: at the body's
+/// surface one that lies on a face of cells belongs to the cell that has the body. In the other one it would bring
+/// forces to nodes beyond, but no mass. A body of a single row has nothing on either side.
+double into_the_body(double at, double first, double last, double spacing) {
+  const double face = std::round(at);
+  if (std::abs(at - face) > on_a_face || last - first < 0.5 * spacing) return at;
+  if (at - first < 0.5 * spacing) return face + on_a_face;
+  return last - at < 0.5 * spacing ? face - on_a_face : at;
+}
+
+/// Only lattices of boxes have places on faces of cells: `into_the_body` along each axis.
+Vector inside(Vector at, const Model& model, const Lattice& lattice) {
+  const Vector first = lattice.point(0, 0), last = lattice.point(lattice.columns - 1, lattice.row_count() - 1);
+  const auto along = [&](double x, double lower, double upper, double spacing, double origin) {
+    const double cell = model.grid.cell, in_cells = (x - origin) / cell;
+    const double moved = into_the_body(in_cells, (lower - origin) / cell, (upper - origin) / cell, spacing / cell);
+    return moved == in_cells ? x : origin + cell * moved;
+  };
+  const Vector &spacing = lattice.spacing, &origin = model.grid.origin;
+  return {along(at.x, first.x, last.x, spacing.x, origin.x), along(at.y, first.y, last.y, spacing.y, origin.y),
+          along(at.z, first.z, last.z, spacing.z, origin.z)};
+}
+
 void fill(BodyParticles& made, const Model& model, const Body& body) {
   const int axes = grid_axes(model.dimension);
+  const bool kinks = has_kinks_at_rest(model);
   const std::optional<Expression>* velocity[] = {&body.velocity_x, &body.velocity_y, &body.velocity_z};
   body.lattice.for_each_point([&](std::int64_t point, Vector at) {
     const auto number = static_cast<std::uint32_t>(point);
     made.number[number] = number;
-    const double position[] = {at.x, at.y, at.z};
+    const Vector place = kinks ? inside(at, model, body.lattice) : at;
+    const double position[] = {place.x, place.y, place.z};
     for (int axis = 0; axis < axes; ++axis) {
       made.component(Attribute::position_x, axis)[number] = position[axis];
       made.component(Attribute::velocity_x, axis)[number] = value_or_zero(*velocity[axis], at);
