@@ -12,6 +12,7 @@
 #include "solver/simulation/diverged.h"
 #include "solver/simulation/fastest_particle.h"
 #include "solver/simulation/locking.h"
+#include "solver/simulation/soft_supports.h"
 
 namespace trajan {
 namespace {
@@ -230,8 +231,10 @@ std::optional<Warning> Simulation::energy_warning() {
 }
 
 std::optional<Warning> Simulation::warning() {
-  if (sample_ == 0)
+  if (sample_ == 0) {
     if (std::optional<Warning> locking = warning_of_locking(model_)) return locking;
+    if (std::optional<Warning> soft = warning_of_soft_supports(model_)) return soft;
+  }
   if (std::optional<Warning> energy = energy_warning()) return energy;
   return coherence_.check(steps_, time(), sample_ == model_.outputs.samples);
 }

@@ -112,6 +112,25 @@ TEST(Surfaces, OfASingleRowOnFacesOfCellsStopATotalLagrangianRunThatTheyWouldHol
   EXPECT_THAT(result.divergence->remedy, HasSubstr("domain.lower"));
 }
 
+TEST(Supports, OfSplinesWithinTheDomainAreWarnedOf) {
+  const auto warning = [](double lower) {
+    Scene scene = test::bar("TLMPM", "linear_elastic", 0.5, 0.1);
+    scene.numerics.shape_functions = "quadratic_bspline";
+    scene.domain.lower.x = lower;
+    scene.boundaries[0].nodes = Box{{lower, -2}, {0, 3}};
+    scene.analysis.end_time = 0.1;
+    const Model model = validate(scene);
+    test::Memory memory;
+    return run(model, {}, memory, nullptr).warning;
+  };
+  // Splines begin anew at a face of the domain, and are held there by its nodes.
+  EXPECT_FALSE(warning(0));
+  const std::optional<Warning> soft = warning(-2);
+  ASSERT_TRUE(soft);
+  EXPECT_THAT(soft->cause, HasSubstr("\"left\" holds nodes within the domain"));
+  EXPECT_THAT(soft->remedy, HasSubstr("hinge"));
+}
+
 TEST(Rest, ThatCannotBeFreedOfItsStressIsDivergence) {
   Scene scene = test::discs(0.04);
   scene.domain.dimension = Dimension::plane_stress;
