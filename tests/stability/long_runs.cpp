@@ -49,7 +49,7 @@ std::vector<Extreme> long_runs(Size size) {
     extreme.may_stop = makes || !kind.keeps;
     Scene& scene = extreme.scene;
     scene = test::bar(kind.scheme, "linear_elastic", 0.5, 0.01);
-    scene.domain = {Dimension::bar, {-2}, {12}, 0.5, {}};
+    scene.domain = {Dimension::bar, {0}, {12}, 0.5, {}};
     scene.bodies[0].geometry = Box{{0}, {10}};
     scene.boundaries[0].nodes = Box{{0}, {0}};
     scene.outputs.probes.clear();
