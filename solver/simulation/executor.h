@@ -84,8 +84,8 @@ class Executor {
   const Account& account() const { return account_; }
   /// Multiplies the inertia of a body, by which waves become slower; its weight stays.
   void scale_inertia(std::size_t body, double factor);
-  /// Takes all velocity from the particles; their kinetic energy is dissipated.
-  void halt();
+  /// After a kick: moves particles back by what they outrun the grid in `drift`, and takes all velocity from them.
+  void halt(double drift);
   std::size_t memory() const;
   /// Throws Diverged at the present step, about the particle that looks worst.
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;

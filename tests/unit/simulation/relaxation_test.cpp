@@ -63,16 +63,16 @@ TEST_P(RelaxedRod, HangsAsStaticsSaysAtEveryLevelOfItsLoad) {
   ASSERT_EQ(run(model, {}, memory, nullptr).end, RunEnd::finished);
   for (std::size_t level = 1; level <= 4; ++level) {
     const std::vector<double>& row = memory.rows.at(level);
-    // Ten cells have an error of a thousandth: gradients are of velocities that were mapped twice, displacements
-    // are not. The residual leaves less than 1e-5.
-    const double tolerance = 2e-3;
+    // Strains are up to 2e-3 under the whole load, and those of rates, which are logarithmic, differ from small
+    // ones by half of that. The residual leaves less than 1e-5.
+    const double tolerance = 1e-5 + 1e-3 * static_cast<double>(level) / 4;
     const double exact = exact_displacement() * static_cast<double>(level) / 4;
     EXPECT_NEAR(row[test::column(model, "end.displacement.x")], exact, tolerance * exact);
     EXPECT_LE(row[test::column(model, "relaxation.residual")], 1e-7);
     EXPECT_GT(row[test::column(model, "relaxation.steps")], 20) << "a wave needs longer through the rod";
     EXPECT_EQ(row[test::column(model, "energies.kinetic")], 0);
-    // What velocities that are mapped twice miss. Without the half kick before a halt it would be a twentieth.
-    EXPECT_NEAR(row[test::column(model, "energies.balance_error")], 0, 5e-3);
+    // Of the order of the strains. Without the half kick before a halt it would be a twentieth.
+    EXPECT_NEAR(row[test::column(model, "energies.balance_error")], 0, 2e-3);
   }
 }
 
