@@ -18,7 +18,7 @@ using Real = TRAJAN_REAL;
 
 /// Inlines all that a stage calls, so that its loop vectorises. With a sanitizer's checks in every line that
 /// would only take the compiler a minute per law.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef TRAJAN_SANITIZED
 #define TRAJAN_FLATTEN
 #else
 #define TRAJAN_FLATTEN [[gnu::flatten]]

@@ -13,7 +13,7 @@ inline Slot fastest_particle(const Executor& executor, int axes) {
     for (std::uint32_t i = 0; i < body.size(); ++i) {
       double square = 0;
       for (int axis = 0; axis < axes; ++axis) {
-        const double v = body.component(Attribute::velocity_x, axis)[i];
+        const double v = body.value(Attribute::velocity_x, axis, i);
         square += v * v;
       }
       if (square > largest) largest = square, fastest = {b, i};

@@ -20,9 +20,9 @@ namespace trajan::test {
 namespace {
 
 // Computing is slower by these factors, about, and a run shall last some seconds.
-#if defined(__SANITIZE_THREAD__)
+#ifdef TRAJAN_SANITIZED_THREADS
 constexpr double slowness = 50;
-#elif defined(__SANITIZE_ADDRESS__)
+#elif defined(TRAJAN_SANITIZED)
 constexpr double slowness = 10;
 #else
 constexpr double slowness = 1;

@@ -9,7 +9,7 @@ namespace trajan::test {
 namespace {
 
 // A sanitizer keeps freed memory for a while.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef TRAJAN_SANITIZED
 constexpr bool memory_tells = false;
 #else
 constexpr bool memory_tells = true;
