@@ -126,9 +126,8 @@ std::string remedy_of_stuck(const Model& model) {
   const std::string larger = "accept a larger analysis.relaxation.tolerance, or ";
   if (model.numerics.shape_functions != "linear" && model.numerics.shape_functions != "bernstein")
     return larger +
-           "take one more of bodies.particles_per_cell_side: nodes that particles of a surface hardly reach come "
-           "to "
-           "rest last, and linear functions have none";
+           "take one more of bodies.particles_per_cell_side: nodes that particles of a surface hardly reach "
+           "come to rest last, and linear functions have none";
   if (has_contact(model))
     return larger +
            "load slowly in explicit dynamics with analysis.damping: nodes at which bodies meet touch and "
