@@ -55,7 +55,8 @@ std::vector<std::string> write_histories(Connection& connection, const v1::Job& 
   write_history_csv(out, history);
   if (!out.flush()) throw CommandError(ExitCode::local_failure, "cannot write " + table.string());
   std::vector<std::string> files{table.string()};
-  if (!picture) return files;
+  constexpr std::size_t fewest_rows = 2;  // a run that failed at once has the initial state alone
+  if (!picture || history.time.size() < fewest_rows) return files;
   try {
     const fs::path drawing = folder / "history.png";
     draw_histories(select_measured(history, job), picture_notes(job), drawing);

@@ -11,6 +11,7 @@
 #include "solver/schemes/scheme.h"
 #include "solver/simulation/checkpoint_array.h"
 #include "solver/simulation/diverged.h"
+#include "solver/simulation/fastest_particle.h"
 
 namespace trajan {
 namespace {
@@ -137,7 +138,7 @@ void ImplicitSteps::accept() {
   const std::int64_t outside = outside_domain(model_, executor_);
   if (outside >= 0)
     throw Diverged(
-        {number_, time_, outside, "a particle left the domain",
+        {number_, time_, outside, particle_text(model_, outside) + " left the domain",
          "enlarge domain.lower and domain.upper (empty space costs nothing), or hold the body by a boundary"});
   executor_.sort();
   view_.reset();

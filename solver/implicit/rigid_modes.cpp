@@ -77,8 +77,8 @@ class FreeMotion {
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(resistance);
     const double largest = std::max(solver.eigenvalues()[count - 1], 1.0);
-    if (solver.eigenvalues()[0] > no_resistance * largest) return "";
-    return describe(solver.eigenvectors().col(0));
+    const Eigen::Index free = (solver.eigenvalues().array() <= no_resistance * largest).count();
+    return free == 0 ? "" : describe(solver.eigenvectors().leftCols(free).transpose());
   }
 
  private:
@@ -107,25 +107,49 @@ class FreeMotion {
       size_ = std::max(size_, 0.5 * (highest[i] - lowest[i]));
     }
   }
-  std::string describe(const Eigen::VectorXd& mode) const {
-    const int axes = on_.axes();
-    Vector along{};
-    double* component[] = {&along.x, &along.y, &along.z};
-    double turn = 0;
-    for (std::size_t m = 0; m < modes_.size(); ++m) {
-      const double part =
-          std::abs(mode[static_cast<Eigen::Index>(m)]) < 1e-6 ? 0 : mode[static_cast<Eigen::Index>(m)];
-      if (modes_[m].to < 0)
-        *component[modes_[m].from] = part;
-      else
-        turn = std::max(turn, std::abs(part));
+  /// Of motions in rows. Elimination leaves turns, and moves that no turn is needed for, in terms of the axes.
+  std::string describe(Eigen::MatrixXd motions) const {
+    const auto axes = static_cast<Eigen::Index>(
+        std::ranges::count_if(modes_, [](const RigidMode& mode) { return mode.to < 0; }));
+    const Eigen::Index turns = eliminate(motions, axes, motions.cols(), 0);
+    const Eigen::Index moves = eliminate(motions, 0, axes, turns);
+    if (moves > 0) {
+      std::string along = "along " + direction(motions.row(turns).head(axes));
+      for (Eigen::Index i = 1; i < moves; ++i) along += " and " + direction(motions.row(turns + i).head(axes));
+      if (moves > 1 && moves == axes) along = "in every direction";
+      return "can move freely " + along + (turns > 0 ? " and turn" : "");
     }
-    if (turn == 0) return "can move freely along " + point_text(rounded(along), axes);
-    if (axes == 3) return "can turn freely";
+    if (turns > 1) return "can turn freely about a point";
+    if (on_.axes() == 3) {  // turns from x to y are about z, and so on
+      const Eigen::RowVectorXd turn = motions.row(0);
+      return "can turn freely about an axis along " + direction(Eigen::RowVector3d(turn[4], turn[5], turn[3]));
+    }
     // The point that stays where it is.
-    const double rate = mode[2] / size_;
     return "can turn freely about " +
-           point_text(rounded({centre_[0] - along.y / rate, centre_[1] + along.x / rate, 0}), axes);
+           point_text(rounded({centre_[0] - motions(0, 1) * size_, centre_[1] + motions(0, 0) * size_, 0}), 2);
+  }
+  /// Reduces rows from the `done`-th on by pivots in some columns, and returns how many there were.
+  static Eigen::Index eliminate(Eigen::MatrixXd& rows, Eigen::Index first, Eigen::Index last, Eigen::Index done) {
+    constexpr double nothing = 1e-6;
+    const Eigen::Index begin = done;
+    for (Eigen::Index column = first; column < last && done < rows.rows(); ++column) {
+      Eigen::Index pivot;
+      if (rows.col(column).tail(rows.rows() - done).cwiseAbs().maxCoeff(&pivot) < nothing) continue;
+      rows.row(done).swap(rows.row(done + pivot));
+      rows.row(done) /= rows(done, column);
+      for (Eigen::Index row = 0; row < rows.rows(); ++row)
+        if (row != done) rows.row(row) -= rows(row, column) * rows.row(done).eval();
+      ++done;
+    }
+    return done - begin;
+  }
+  /// Of unit length.
+  std::string direction(const Eigen::RowVectorXd& along) const {
+    Vector v{};
+    double* component[] = {&v.x, &v.y, &v.z};
+    for (Eigen::Index i = 0; i < along.size(); ++i)
+      *component[modes_[static_cast<std::size_t>(i)].from] = along[i] / along.norm();
+    return point_text(rounded(v), on_.axes());
   }
   static Vector rounded(Vector v) {
     for (double* c : {&v.x, &v.y, &v.z}) *c = std::round(*c * 1e4) / 1e4 + 0.0;

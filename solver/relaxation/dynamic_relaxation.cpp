@@ -65,6 +65,13 @@ bool may_be_stopped(const Model& model) {
   return model.contacts.fields > 1 || !std::ranges::all_of(model.conditions, prescribes);
 }
 
+/// What nothing holds as all lies now, and how it can move.
+std::string find_free_motion_now(const Model& model, Executor& executor, double time) {
+  if (may_be_stopped(model)) return "";
+  const Discretization on(model, executor);
+  return find_free_motion(model, on, Constraints(on, executor, time, time));
+}
+
 /// The node of the largest unbalanced force, after a kick: where it is in cells, and its velocity field.
 struct LeastBalanced {
   std::array<double, 3> place{};
@@ -144,6 +151,18 @@ DynamicRelaxation::DynamicRelaxation(const Model& model, const Relaxation& limit
   if (resume) from_ = until_ = resume->time;
   executor_.account().watch_forces(executor_.tiles().tiles().size());
   crossing_time_ = longest_side(model) / equalise_waves(model, executor_);
+  free_motion_ = find_free_motion_now(model, executor_, until_);
+}
+
+std::optional<Warning> DynamicRelaxation::warning() const {
+  if (free_motion_.empty()) return std::nullopt;
+  Warning warning;
+  warning.particle = model_.bodies[0].first_particle;
+  warning.place = model_.bodies[0].lattice.point_of(0);
+  warning.cause =
+      free_motion_ + ": nothing holds it, and where it comes to rest, if it does, is not given by the loads alone";
+  warning.remedy = "hold it by a boundary condition";
+  return warning;
 }
 
 double DynamicRelaxation::time() const {
@@ -167,7 +186,7 @@ void DynamicRelaxation::begin_level() {
   at_rest_ = true;
   first_unbalanced_ = 0;
   steps_of_level_ = least_at_ = peaks_since_ = last_peak_ = 0;
-  least_ = 1;
+  least_ = smallest_ = 1;
 }
 
 bool DynamicRelaxation::advance(double until, std::int64_t number) {
@@ -175,24 +194,42 @@ bool DynamicRelaxation::advance(double until, std::int64_t number) {
   until_ = until;
   number_ = number;
   if (steps_of_level_ % steps_per_time_step == 0) find_time_step();
-  step();
-  measure();
-  if (residual_ <= limits_.tolerance) {
-    if (!is_settled()) {
-      watch_progress(true);
-      return false;
+  bool halted = false;
+  try {
+    step();
+    measure();
+    halted = residual_ <= limits_.tolerance;
+    if (halted && is_settled()) {
+      from_ = until_;
+      steps_of_last_level_ = steps_of_level_;
+      return true;
     }
-    from_ = until_;
-    steps_of_last_level_ = steps_of_level_;
-    return true;
+  } catch (const Diverged& diverged) {
+    Divergence divergence = diverged.divergence();
+    divergence.remedy = "apply less load, or " + divergence.remedy;
+    give_up(divergence);
   }
-  // Not by the kinetic energy of the nodes: what a kick gives them falls with the forces, and of smooth functions
-  // most of it is lost on the particles.
-  const bool peak = executor_.account().balance().power < 0;
-  at_rest_ = false;
-  if (peak) halt();
-  watch_progress(peak);
+  if (!halted) {
+    // Not by the kinetic energy of the nodes: what a kick gives them falls with the forces, and of smooth
+    // functions most of it is lost on the particles.
+    halted = executor_.account().balance().power < 0;
+    at_rest_ = false;
+    if (halted) halt();
+  }
+  watch_progress(halted);
   return false;
+}
+
+/// Says which load is borne, and what is loose if anything is.
+void DynamicRelaxation::give_up(Divergence divergence) const {
+  std::string beyond =
+      "beyond the load factor " + std::to_string(from_ / model_.end_time) + " no state of rest is found: ";
+  if (!free_motion_.empty()) {
+    beyond = free_motion_ + ": nothing holds it, and " + beyond;
+    divergence.remedy = "hold it by a boundary condition, or choose a dynamic analysis";
+  }
+  divergence.cause = beyond + divergence.cause;
+  throw Diverged(divergence);
 }
 
 void DynamicRelaxation::find_time_step() {
@@ -259,8 +296,11 @@ void DynamicRelaxation::watch_progress(bool peak) {
   if (peak) last_peak_ = steps_of_level_;
   if (static_cast<double>(steps_of_level_ - last_peak_) * time_step_ > most_crossings * crossing_time_) {
     last_peak_ = steps_of_level_;  // a body that is held is given as much time again
-    refuse_free_motion();
+    if (!free_motion_.empty())
+      give_up({number_, until_, -1,
+               "what moves has not come to rest after " + std::to_string(steps_of_level_) + " steps", ""});
   }
+  smallest_ = std::min(smallest_, residual_);
   if (residual_ < (1 - least_improvement) * least_) {
     least_ = residual_;
     least_at_ = steps_of_level_;
@@ -271,28 +311,14 @@ void DynamicRelaxation::watch_progress(bool peak) {
       peaks_since_ > most_vain_peaks || vain_time > most_vain_waits * most_crossings * crossing_time_;
   const bool stuck = vain && steps_of_level_ > (1 + most_vain_times) * least_at_;
   if (!stuck && steps_of_level_ < limits_.most_steps) return;
-  refuse_free_motion();
   const Slot worst = least_balanced_particle(model_, executor_);
   std::ostringstream cause;
   cause << (stuck ? "the relaxation is stuck" : "the relaxation has not come to rest") << " after "
         << steps_of_level_ << " steps of a load level: unbalanced forces are " << residual_
-        << " of the external ones, at best " << least_ << " (" << limits_.tolerance
+        << " of the external ones, at best " << smallest_ << " (" << limits_.tolerance
         << " is asked for), most in body " << quoted(model_.bodies[worst.body].name);
-  throw Diverged({number_, until_, particle_number(model_, executor_, worst), cause.str(),
-                  stuck ? remedy_of_stuck(model_)
-                        : "allow more analysis.relaxation.most_steps; a body that no boundary holds never rests"});
-}
-
-void DynamicRelaxation::refuse_free_motion() {
-  if (may_be_stopped(model_)) return;
-  executor_.finish();
-  const Discretization on(model_, executor_);
-  const std::string motion = find_free_motion(model_, on, Constraints(on, executor_, until_, until_));
-  if (!motion.empty())
-    throw Diverged({number_, until_, -1,
-                    motion + ": nothing holds it, and after " + std::to_string(steps_of_level_) +
-                        " steps of a load level it has not come to rest",
-                    "hold it by a boundary condition, or choose a dynamic analysis"});
+  give_up({number_, until_, particle_number(model_, executor_, worst), cause.str(),
+           stuck ? remedy_of_stuck(model_) : "allow more analysis.relaxation.most_steps"});
 }
 
 }  // namespace trajan

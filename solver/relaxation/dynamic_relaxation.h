@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "solver/simulation/executor.h"
 #include "solver/simulation/stepper.h"
@@ -19,6 +20,7 @@ class DynamicRelaxation : public Stepper {
 
   /// Takes a step under the loads of the time `until`; true: forces are in balance and all particles at rest.
   bool advance(double until, std::int64_t number) override;
+  std::optional<Warning> warning() const override;
   /// As far from the last level to the next as the residual has come to the tolerance, on a logarithmic scale.
   double time() const override;
   std::int64_t steps_left() const override;
@@ -33,8 +35,7 @@ class DynamicRelaxation : public Stepper {
   void halt();
   void find_time_step();
   void watch_progress(bool peak);
-  /// Says so if nothing holds a body.
-  void refuse_free_motion();
+  [[noreturn]] void give_up(Divergence divergence) const;
 
   const Model& model_;
   const Scheme& scheme_;
@@ -48,10 +49,13 @@ class DynamicRelaxation : public Stepper {
   double residual_ = 0;
   double first_unbalanced_ = 0;
   std::int64_t number_ = 0, steps_of_level_ = 0, steps_of_last_level_ = 0;
-  /// The least residual of the level, when it was last improved upon, and how many peaks there were since.
+  double smallest_ = 1;  ///< residual of the level
+  /// The least residual of the level that halved the one before, when it was last improved upon, and how many
+  /// peaks there were since.
   double least_ = 1;
   std::int64_t least_at_ = 0, peaks_since_ = 0, last_peak_ = 0;
-  double crossing_time_;  ///< of the slowest waves through the longest body
+  double crossing_time_;     ///< of the slowest waves through the longest body
+  std::string free_motion_;  ///< of what nothing holds at the beginning; empty: none
 };
 
 }  // namespace trajan

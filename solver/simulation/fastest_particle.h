@@ -1,5 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "solver/model/names.h"
 #include "solver/simulation/executor.h"
 
 namespace trajan {
@@ -25,6 +30,12 @@ inline Slot fastest_particle(const Executor& executor, int axes) {
 /// Of a particle among those of all bodies, as outputs count them.
 inline std::int64_t particle_number(const Model& model, const Executor& executor, const Slot& particle) {
   return model.bodies[particle.body].first_particle + executor.bodies()[particle.body].number[particle.index];
+}
+
+/// 'a particle of body "beam"', by the particle's number among all.
+inline std::string particle_text(const Model& model, std::int64_t number) {
+  const auto after = std::ranges::upper_bound(model.bodies, number, {}, &Body::first_particle);
+  return "a particle of body " + quoted(std::prev(after)->name);
 }
 
 }  // namespace trajan

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "solver/simulation/diverged.h"
-#include "solver/simulation/executor.h"
+#include "solver/simulation/fastest_particle.h"
 
 /// Looking at particles: totals, stresses, and what went wrong.
 namespace trajan {
@@ -61,10 +61,11 @@ void Executor::check(const Trouble& trouble) const {
     diverge("no stretch across the plane or bar was found that frees a particle of the stress across it",
             "take a smaller numerics.time_step_fraction, or a material that bears such a deformation");
   if (trouble.moved_too_far)
-    diverge("a particle moved more than one cell in a step, or its velocity is not a finite number",
+    diverge(particle_text(model_, worst_particle()) +
+                " moved more than one cell in a step, or its velocity is not a finite number",
             "take a smaller numerics.time_step_fraction; if that does not help, check loads and boundaries");
   if (trouble.left_domain)
-    diverge("a particle left the domain",
+    diverge(particle_text(model_, worst_particle()) + " left the domain",
             "enlarge domain.lower and domain.upper (empty space costs nothing), or hold the body by a boundary");
 }
 

@@ -232,6 +232,7 @@ std::optional<Warning> Simulation::energy_warning() {
 
 std::optional<Warning> Simulation::warning() {
   if (sample_ == 0) {
+    if (std::optional<Warning> doubt = stepper_ ? stepper_->warning() : std::nullopt) return doubt;
     if (std::optional<Warning> locking = warning_of_locking(model_)) return locking;
     if (std::optional<Warning> soft = warning_of_soft_supports(model_)) return soft;
   }

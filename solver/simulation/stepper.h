@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "solver/recorder.h"
@@ -19,6 +20,8 @@ class Stepper {
   virtual std::int64_t steps_left() const = 0;
   /// Appends its own columns of the row of histories.
   virtual void record(std::vector<double>&) const {}
+  /// What makes answers doubtful before the first piece of work.
+  virtual std::optional<Warning> warning() const { return std::nullopt; }
   /// Adds what it needs to go on from the sample that has just been reached.
   virtual void save(Checkpoint& checkpoint) const = 0;
 };

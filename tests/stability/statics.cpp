@@ -93,7 +93,7 @@ void add_mechanisms(std::vector<Extreme>& extremes) {
   scene.boundaries.pop_back();
   add("block on a roller", scene, "body \"block\" can move freely along (0, 1)");
   scene.boundaries.clear();
-  add("block without supports", scene, "body \"block\" can move freely");
+  add("block without supports", scene, "body \"block\" can move freely in every direction and turn");
   scene.boundaries = {{"pin", Box{{0, 0}, {0, 0}}, Fixed{}}};
   add("block on one pin", scene, "body \"block\" can turn freely about (0, 0)");
   scene = block(Dimension::plane_strain, "neo_hookean", 2, 4);
@@ -105,7 +105,7 @@ void add_mechanisms(std::vector<Extreme>& extremes) {
   scene.bodies[0].geometry = Box{{0, 0, 0}, {1, 1, 1}};
   scene.boundaries = {{"edge", Box{{0, 0, -1}, {0, 0, 2}}, Fixed{}}};
   scene.loads = {growing({1, 0, 0})};
-  add("cube on a hinge", scene, "body \"block\" can turn freely");
+  add("cube on a hinge", scene, "body \"block\" can turn freely about an axis along (0, 0, 1)");
 }
 
 /// A stiff block that hangs by a soft one: tangents are nearly singular, but nothing is wrong with the answer.

@@ -112,6 +112,18 @@ TEST(Relaxation, SaysThatWhatNothingHoldsNeverRests) {
   EXPECT_THAT(divergence.remedy, HasSubstr("hold it"));
 }
 
+TEST(Relaxation, WarnsOfWhatRestsThoughNothingHoldsIt) {
+  Scene scene = rod("TLMPM");
+  scene.boundaries.clear();
+  scene.loads.clear();
+  const Model model = validate(scene);
+  test::Memory memory;
+  const RunResult result = run(model, {}, memory, nullptr);
+  EXPECT_EQ(result.end, RunEnd::finished);
+  ASSERT_TRUE(result.warning);
+  EXPECT_THAT(result.warning->cause, HasSubstr("body \"upper\" can move freely along (1): nothing holds it"));
+}
+
 TEST(Relaxation, DoesNotWaitForTheLastStepToSaySo) {
   Scene scene = rod("TLMPM");
   scene.boundaries.clear();
