@@ -10,6 +10,7 @@ import traceback
 
 from validation import report
 from validation.cases import CASES, load
+from validation.publish import publish
 from validation.section import Section
 from validation.service import Service
 
@@ -22,6 +23,7 @@ def arguments():
     parser.add_argument("cases", nargs="*", metavar="CASE", help=f"a number or name; default all: {names}")
     parser.add_argument("--quick", action="store_true", help="only what takes a minute in all")
     parser.add_argument("--reuse", action="store_true", help="keep the results of scenes that have not changed")
+    parser.add_argument("--publish", action="store_true", help="of all cases: the page in tests/validation, the README's table")
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/release/bin", help="where trajan is")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/validation", help="where the report goes")
     chosen = parser.parse_args()
@@ -29,6 +31,8 @@ def arguments():
     unknown = [case for case in chosen.cases if case not in known]
     if unknown:
         parser.error(f"there is no case {', '.join(unknown)}; cases are {names}")
+    if chosen.publish and (chosen.cases or chosen.quick):
+        parser.error("--publish is of all cases, whole")
     chosen.numbers = sorted({known[case] for case in chosen.cases} or CASES)
     return chosen
 
@@ -51,6 +55,8 @@ def main():
     with Service(chosen.programs, chosen.folder, chosen.reuse) as service:
         sections = [run(number, service, chosen) for number in chosen.numbers]
     report.write(sections, chosen.folder)
+    if chosen.publish:
+        publish(sections, chosen.folder, ROOT)
     print(report.verdict(sections))
     print(f"report: {chosen.folder / 'report.md'}")
     return 0 if all(section.accounted_for for section in sections) else 1

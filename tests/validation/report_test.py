@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from validation import report
+from validation import publish, report
 from validation.section import Row, Section
 
 
@@ -60,6 +60,14 @@ class Sections(unittest.TestCase):
         for part in expected:
             self.assertIn(part, text)
         self.assertEqual([one["met"] for one in data[0]["rows"]], [True, False, None, None])
+
+    def test_the_summary_takes_the_place_between_the_marks(self):
+        section = self.section(row(goal=1e-2, printed=2.5), row(goal=1e-9, trajan=2.002), row(trajan=9.0))
+        once = publish.with_summary(f"before\n\n{publish.BEGIN}\nold\n{publish.END}\n\nafter\n", [section])
+        self.assertTrue(once.startswith("before\n") and once.endswith(f"{publish.END}\n\nafter\n"))
+        self.assertIn("| 1 title: source | 1 of 2 | 0.1 % (1e-07 %); 0.05 % (1 %) | 25 % | 0.0 |", once)
+        self.assertNotIn("old", once)
+        self.assertEqual(publish.with_summary(once, [section]), once)
 
 
 if __name__ == "__main__":

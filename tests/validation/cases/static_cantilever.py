@@ -44,7 +44,7 @@ def run(section):
         P L^3 / 3 E I = 0.6827 of beam theory without shear. Its two clamps are the whole edge held, and the axial
         displacement held with the transverse one of the edge's centre; a point cannot carry a plane body's reaction
         (the deflection grows without bound, as the logarithm of what is held), so that here the edge's mean is held.
-        Linear answers are at a load of 1e-4, scaled; at the full load the beam bends by 0.7 % less than linearly.""")
+        Linear answers are at a load of 1e-4, scaled; at the full load the beam bends a little less than linearly.""")
     for clamp, words in CLAMPS.items():
         body = Beam((clamp, "free"), level=LEVELS[1 if section.quick else 3])
         across = body.section_means(body.equilibrium(body.end_shear(-1)))[:, 1]
