@@ -70,7 +70,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
 Executor::~Executor() = default;
 
 void Executor::sort() {
-  sort_into_tiles(model_.grid, transfer_.staggered, bodies_, tiles_);
+  sort_into_tiles(model_.grid, transfer_.staggered, bodies_, tiles_, pool_);
   ++sortings_;
   order_ = {};
   bind();

@@ -9,6 +9,7 @@
 
 #include "solver/executors/block.h"
 #include "solver/executors/floats.h"
+#include "solver/executors/thread_pool.h"
 #include "solver/executors/tiles.h"
 #include "solver/model/model.h"
 #include "solver/schemes/kernels.h"
@@ -71,8 +72,10 @@ double lightest_particle(const std::vector<BodyParticles>& bodies);
 std::vector<Vector> reference_positions(const Model& model, const std::vector<std::int64_t>& numbers);
 
 /// Puts particles in the order of tiles and, within one, of the nodes that their stencils begin with: those of
-/// cells, or (`staggered`) of cells that are shifted by half a cell. Particles of one stay in order.
-void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles);
+/// cells, or (`staggered`) of cells that are shifted by half a cell. Particles of one stay in order, however many
+/// threads there are.
+void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles,
+                     ThreadPool& pool);
 
 /// The tiles that will have particles at time 0, in any order.
 std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles);

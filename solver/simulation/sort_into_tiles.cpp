@@ -3,6 +3,7 @@
 #include <cstring>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "solver/simulation/particles.h"
 
@@ -88,61 +89,110 @@ class FoundTiles {
     include(places_[last_].cells, {found.cell, found.cell});
     return last_;
   }
-  /// Puts tiles in order; returns the new index of each.
-  std::vector<std::uint32_t> order() {
-    const std::vector<Place> found = places_;
-    const auto place_before = [](const Place& a, const Place& b) { return before(a.tile, b.tile); };
-    std::sort(places_.begin(), places_.end(), place_before);
-    std::vector<std::uint32_t> rank(found.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
+  void add(const FoundTiles& other) {
+    for (const Place& place : other.places_) {
+      add({place.tile, place.cells.lowest, 0});
+      include(places_[last_].cells, place.cells);
+    }
+  }
+  void put_in_order() { std::sort(places_.begin(), places_.end(), is_before); }
+  /// Where each tile is among those of another that has them all and is in order.
+  std::vector<std::uint32_t> ranks(const FoundTiles& all) const {
+    std::vector<std::uint32_t> rank(places_.size());
+    for (std::size_t i = 0; i < rank.size(); ++i)
       rank[i] = static_cast<std::uint32_t>(
-          std::lower_bound(places_.begin(), places_.end(), found[i], place_before) - places_.begin());
+          std::lower_bound(all.places_.begin(), all.places_.end(), places_[i], is_before) - all.places_.begin());
     return rank;
   }
   const std::vector<Place>& places() const { return places_; }
 
  private:
+  static bool is_before(const Place& a, const Place& b) { return before(a.tile, b.tile); }
+
   std::unordered_map<TileIndex, std::uint32_t, TileHash> known_;
   std::vector<Place> places_;
   std::uint32_t last_ = 0;
 };
 
-/// Which tile every particle of a body is in, and where in the order of a tile.
+/// Calls of(thread, begin, end) on every thread, with its share of so many items.
+template <class Function>
+void for_each_share(ThreadPool& pool, std::size_t size, Function&& of) {
+  const auto threads = static_cast<std::size_t>(pool.size());
+  pool.run([&](int thread) {
+    const auto share = static_cast<std::size_t>(thread);
+    of(share, size * share / threads, size * (share + 1) / threads);
+  });
+}
+
+/// The bin of every particle of a body: the bins of a tile are one after the other, and so are the tiles.
 struct Places {
-  int bins;                              ///< of a tile
+  std::size_t bins_of_tile;
   std::vector<FoundTiles::Place> tiles;  ///< in order
-  std::vector<std::uint32_t> tile;       ///< by slot, index into tiles
-  std::vector<std::uint8_t> bin;         ///< by slot
+  std::vector<std::uint32_t> bin;        ///< by slot
 
-  Places(const Grid& grid, const Tiles& grid_tiles, bool staggered, const BodyParticles& body)
-      : tile(body.size()), bin(body.size()) {
+  Places(const Grid& grid, const Tiles& grid_tiles, bool staggered, const BodyParticles& body, ThreadPool& pool)
+      : bin(body.size()) {
     const PlaceFinder find(grid, grid_tiles, staggered);
+    const auto bins = static_cast<std::uint32_t>(find.bins());
     const int axes = grid_tiles.layout().dimensions;
-    bins = find.bins();
-    FoundTiles found_tiles;
-    std::array<double, 3> position{};
-    for (std::size_t slot = 0; slot < body.size(); ++slot) {
-      for (int axis = 0; axis < axes; ++axis) position[axis] = body.component(Attribute::position_x, axis)[slot];
-      const PlaceFinder::Found found = find(position);
-      tile[slot] = found_tiles.add(found);
-      bin[slot] = static_cast<std::uint8_t>(found.bin);
-    }
-    const std::vector<std::uint32_t> rank = found_tiles.order();
-    for (std::uint32_t& t : tile) t = rank[t];
-    tiles = found_tiles.places();
-  }
-
-  std::size_t bin_of(std::size_t slot) const {
-    return std::size_t{tile[slot]} * static_cast<std::size_t>(bins) + bin[slot];
+    std::vector<FoundTiles> found(static_cast<std::size_t>(pool.size()));
+    for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t begin, std::size_t end) {
+      FoundTiles mine;
+      std::array<double, 3> position{};
+      for (std::size_t slot = begin; slot < end; ++slot) {
+        for (int axis = 0; axis < axes; ++axis) position[axis] = body.component(Attribute::position_x, axis)[slot];
+        const PlaceFinder::Found place = find(position);
+        bin[slot] = mine.add(place) * bins + static_cast<std::uint32_t>(place.bin);
+      }
+      found[thread] = std::move(mine);
+    });
+    FoundTiles all;
+    for (const FoundTiles& of_thread : found) all.add(of_thread);
+    all.put_in_order();
+    for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t begin, std::size_t end) {
+      const std::vector<std::uint32_t> rank = found[thread].ranks(all);
+      for (std::size_t slot = begin; slot < end; ++slot)
+        bin[slot] = rank[bin[slot] / bins] * bins + bin[slot] % bins;
+    });
+    bins_of_tile = bins;
+    tiles = all.places();
   }
 };
 
+/// The slots in the order of their bins, those of a bin in the order they have. By slot, `bin` says which;
+/// begin[bin] is where a bin begins.
+std::vector<std::uint32_t> order_of(const std::vector<std::uint32_t>& bin, std::vector<std::uint32_t>& begin,
+                                    ThreadPool& pool) {
+  // A thread's share of a bin comes after those of the threads before it, so that the order is that of one thread.
+  std::vector<std::vector<std::uint32_t>> next(static_cast<std::size_t>(pool.size()));
+  for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t> count(begin.size(), 0);
+    for (std::size_t slot = first; slot < last; ++slot) ++count[bin[slot]];
+    next[thread] = std::move(count);
+  });
+  std::uint32_t sum = 0;
+  for (std::size_t b = 0; b < begin.size(); ++b) {
+    begin[b] = sum;
+    for (std::vector<std::uint32_t>& of_thread : next) sum += std::exchange(of_thread[b], sum);
+  }
+  std::vector<std::uint32_t> slot_of(bin.size());
+  for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t>& place = next[thread];
+    for (std::size_t slot = first; slot < last; ++slot)
+      slot_of[place[bin[slot]]++] = static_cast<std::uint32_t>(slot);
+  });
+  return slot_of;
+}
+
 template <class T>
-void permute(std::vector<T>& values, const std::vector<std::uint32_t>& slot_of, std::vector<T>& spare) {
+void permute(std::vector<T>& values, const std::vector<std::uint32_t>& slot_of, std::vector<T>& spare,
+             ThreadPool& pool) {
   // What is the same everywhere, as stresses are at first, is in any order already.
   if (values.size() < 2 || std::memcmp(&values[0], &values[1], (values.size() - 1) * sizeof(T)) == 0) return;
   spare.resize(values.size());
-  for (std::size_t i = 0; i < slot_of.size(); ++i) spare[i] = values[slot_of[i]];
+  for_each_share(pool, slot_of.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) spare[i] = values[slot_of[i]];
+  });
   values.swap(spare);
 }
 
@@ -153,26 +203,27 @@ struct TileRun {
   CellRange cells;
 };
 
-/// Orders a body's particles by counting how many are in each bin. Appends its runs.
-void reorder(const Grid& grid, const Tiles& tiles, bool staggered, BodyParticles& body, std::uint32_t index,
-             std::vector<TileRun>& runs) {
-  const Places places(grid, tiles, staggered, body);
-  const auto bins = static_cast<std::size_t>(places.bins);
-  std::vector<std::uint32_t> begin(places.tiles.size() * bins + 1, 0);
-  for (std::size_t slot = 0; slot < body.size(); ++slot) ++begin[places.bin_of(slot) + 1];
-  for (std::size_t bin = 1; bin < begin.size(); ++bin) begin[bin] += begin[bin - 1];
+/// The order of a body's particles by tiles and bins; appends its runs.
+std::vector<std::uint32_t> find_order(const Grid& grid, const Tiles& tiles, bool staggered,
+                                      const BodyParticles& body, std::uint32_t index, std::vector<TileRun>& runs,
+                                      ThreadPool& pool) {
+  const Places places(grid, tiles, staggered, body, pool);
+  std::vector<std::uint32_t> begin(places.tiles.size() * places.bins_of_tile + 1);
+  std::vector<std::uint32_t> slot_of = order_of(places.bin, begin, pool);
   for (std::size_t t = 0; t < places.tiles.size(); ++t)
-    runs.push_back(
-        {places.tiles[t].tile, body.field, index, begin[t * bins], begin[(t + 1) * bins], places.tiles[t].cells});
+    runs.push_back({places.tiles[t].tile, body.field, index, begin[t * places.bins_of_tile],
+                    begin[(t + 1) * places.bins_of_tile], places.tiles[t].cells});
+  return slot_of;
+}
 
-  std::vector<std::uint32_t> slot_of(body.size());
-  for (std::uint32_t slot = 0; slot < body.size(); ++slot) slot_of[begin[places.bin_of(slot)]++] = slot;
+void reorder(BodyParticles& body, const std::vector<std::uint32_t>& slot_of, ThreadPool& pool) {
   std::vector<double> spare;
-  for (std::vector<double>& array : body.arrays) permute(array, slot_of, spare);
+  for (std::vector<double>& array : body.arrays) permute(array, slot_of, spare, pool);
+  std::vector<double>().swap(spare);
   std::vector<float> spare_floats;
-  for (std::vector<float>& array : body.floats) permute(array, slot_of, spare_floats);
+  for (std::vector<float>& array : body.floats) permute(array, slot_of, spare_floats, pool);
   std::vector<std::uint32_t> spare_numbers;
-  permute(body.number, slot_of, spare_numbers);
+  permute(body.number, slot_of, spare_numbers, pool);
 }
 
 /// Of one cell, for drifting.
@@ -200,9 +251,11 @@ std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles)
   return occupied;
 }
 
-void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles) {
+void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles,
+                     ThreadPool& pool) {
   std::vector<TileRun> runs;
-  for (std::uint32_t b = 0; b < bodies.size(); ++b) reorder(grid, tiles, staggered, bodies[b], b, runs);
+  for (std::uint32_t b = 0; b < bodies.size(); ++b)
+    reorder(bodies[b], find_order(grid, tiles, staggered, bodies[b], b, runs, pool), pool);
   std::sort(runs.begin(), runs.end(), [](const TileRun& a, const TileRun& b) {
     if (a.tile != b.tile) return before(a.tile, b.tile);
     return a.field != b.field ? a.field < b.field : a.body < b.body;
