@@ -3,15 +3,15 @@
 #include <bit>
 #include <cstdint>
 
-#include "solver/executors/instruction_set.h"
+#include "solver/materials/polynomial.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// e^x to 2 units in the last place; below -708 it stays what it is there, and above 709 likewise, so that it
-/// is always a positive normal number. Unlike the library's it vectorises and has the same bits on every
-/// processor. x = k ln 2 + r with |r| <= ln(2) / 2, and the Taylor series of e^r, whose terms from r^14 on are
-/// below 2^-57.
+/// is always a positive normal number. Unlike the library's it vectorises and has the same bits with
+/// every instruction set that rounds a product and a sum at once. x = k ln 2 + r with |r| <= ln(2) / 2, and the
+/// Taylor series of e^r, whose terms from r^14 on are below 2^-57.
 inline double exponential(double x) {
   x = x < -708.0 ? -708.0 : x;
   x = x > 709.0 ? 709.0 : x;
@@ -23,19 +23,10 @@ inline double exponential(double x) {
   const double shifted = x * 0x1.71547652b82fep0 + magic;
   const double k = shifted - magic;
   const double r = (x - k * 0x1.62e42fefa0000p-1) - k * 0x1.cf79abc9e3b3ap-40;
-  double sum = 1.0 / 6227020800;
-  sum = 1.0 / 479001600 + r * sum;
-  sum = 1.0 / 39916800 + r * sum;
-  sum = 1.0 / 3628800 + r * sum;
-  sum = 1.0 / 362880 + r * sum;
-  sum = 1.0 / 40320 + r * sum;
-  sum = 1.0 / 5040 + r * sum;
-  sum = 1.0 / 720 + r * sum;
-  sum = 1.0 / 120 + r * sum;
-  sum = 1.0 / 24 + r * sum;
-  sum = 1.0 / 6 + r * sum;
-  sum = 0.5 + r * sum;
-  const double power = 1 + (r + r * r * sum);
+  constexpr double taylor[] = {1.0 / 2,       1.0 / 6,        1.0 / 24,        1.0 / 120,
+                               1.0 / 720,     1.0 / 5040,     1.0 / 40320,     1.0 / 362880,
+                               1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
+  const double power = 1 + fused(r * r, polynomial(taylor, r), r);
   // Times 2^k, by way of the exponent's bits.
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(power) + (std::bit_cast<std::uint64_t>(shifted) << 52);
   return std::bit_cast<double>(bits);
