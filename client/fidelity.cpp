@@ -43,13 +43,17 @@ v1::Target parse_target(const FidelityOptions& options) {
 
 }  // namespace
 
+CLI::Option* add_preset_option(CLI::App& app, FidelityOptions& options) {
+  return app
+      .add_option("--fidelity", options.preset,
+                  "preview: cells twice as large; standard: as the scene says; reference: cells half as "
+                  "large. A constant \"cell\" and given time steps go with them")
+      ->type_name("PRESET")
+      ->check(CLI::IsMember({"preview", "standard", "reference"}));
+}
+
 void add_fidelity_options(CLI::App& app, FidelityOptions& options) {
-  auto* preset =
-      app.add_option("--fidelity", options.preset,
-                     "preview: cells twice as large; standard: as the scene says; reference: cells half as "
-                     "large. A constant \"cell\" and given time steps go with them")
-          ->type_name("PRESET")
-          ->check(CLI::IsMember({"preview", "standard", "reference"}));
+  auto* preset = add_preset_option(app, options);
   auto* tolerance = app.add_option("--tolerance", options.tolerance,
                                    "Find settings by which a measure is as exact as this, as in "
                                    "tip_deflection=0.5% or tip_deflection=0.003, and answer by them")

@@ -14,7 +14,10 @@ struct FidelityOptions {
   double budget = 0;      ///< core-seconds; 0: the server's
 };
 
-/// `--fidelity`, `--tolerance` and `--budget`.
+/// `--fidelity`.
+CLI::Option* add_preset_option(CLI::App& app, FidelityOptions& options);
+
+/// That, `--tolerance` and `--budget`.
 void add_fidelity_options(CLI::App& app, FidelityOptions& options);
 
 /// Throws CommandError (usage).

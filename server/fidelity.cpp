@@ -29,9 +29,7 @@ void take_over(v1::Scene& scene, const v1::Settings& settings) {
 
 }  // namespace
 
-void resolve_fidelity(v1::SubmitJobRequest& request) {
-  v1::Scene& scene = *request.mutable_scene();
-  const v1::Fidelity& fidelity = request.fidelity();
+void resolve_fidelity(const v1::Fidelity& fidelity, v1::Scene& scene) {
   if (fidelity.has_settings()) take_over(scene, fidelity.settings());
   if (fidelity.preset() == v1::PREVIEW) change(scene, with_cell_size(scene, 2 * scene.domain().cell_size()));
   if (fidelity.preset() == v1::REFERENCE) change(scene, with_cell_size(scene, scene.domain().cell_size() / 2));

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "trajan/v1/jobs.pb.h"
+#include "trajan/v1/fidelity.pb.h"
+#include "trajan/v1/scene.pb.h"
 
 namespace trajan {
 
-/// Gives the request's scene the settings that its preset or its explicit settings mean. Throws ServiceError
-/// INVALID_ARGUMENT for settings without sense.
-void resolve_fidelity(v1::SubmitJobRequest& request);
+/// Gives a scene the settings that a preset or explicit settings mean; a target leaves it as it is. Throws
+/// ServiceError INVALID_ARGUMENT for settings without sense.
+void resolve_fidelity(const v1::Fidelity& fidelity, v1::Scene& scene);
 
 }  // namespace trajan

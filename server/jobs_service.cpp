@@ -54,7 +54,7 @@ grpc::ServerUnaryReactor* JobsService::CheckScene(grpc::CallbackServerContext* c
 std::shared_ptr<store::StudyPlan> JobsService::prepare(v1::SubmitJobRequest& request) {
   if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
   if (!request.fidelity().has_target()) {
-    resolve_fidelity(request);
+    resolve_fidelity(request.fidelity(), *request.mutable_scene());
     return nullptr;
   }
   const auto known = store_.read([&](store::Database& database) {

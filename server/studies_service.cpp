@@ -2,6 +2,7 @@
 
 #include "server/check_scene.h"
 #include "server/errors.h"
+#include "server/fidelity.h"
 #include "server/log.h"
 #include "server/status.h"
 #include "server/store_jobs.h"
@@ -23,10 +24,15 @@ grpc::ServerUnaryReactor* StudiesService::SubmitStudy(grpc::CallbackServerContex
   plans_.post([=, this] {
     answer(*context, *reactor, [&] {
       if (draining_) throw ServiceError(grpc::StatusCode::UNAVAILABLE, "DRAINING", "the server is shutting down");
-      store::StudyPlan plan = plan_study(*request);
+      if (request->fidelity().has_target())
+        throw ServiceError(grpc::StatusCode::INVALID_ARGUMENT, "TARGET",
+                           "a study has no target; submit the scene with it as a job");
+      v1::SubmitStudyRequest study = *request;
+      resolve_fidelity(study.fidelity(), *study.mutable_scene());
+      store::StudyPlan plan = plan_study(study);
       for (store::PlannedRun& run : plan.runs)
-        run.estimate = estimator_.estimate(run.scene, require_valid(run.scene), request->priority());
-      submit(plan, *request, *response);
+        run.estimate = estimator_.estimate(run.scene, require_valid(run.scene), study.priority());
+      submit(plan, study, *response);
     });
   });
   return reactor;

@@ -20,6 +20,7 @@ namespace {
 /// What all studies are asked with.
 struct StudyOptions {
   SceneSource scene;
+  FidelityOptions fidelity;
   std::vector<std::string> labels;
   int priority = 0;
   bool wait = true;
@@ -33,6 +34,7 @@ v1::SubmitStudyRequest request_of(const StudyOptions& options) {
   *request.mutable_labels() = parse_labels(options.labels);
   request.set_priority(options.priority);
   request.set_run_all(options.run_all);
+  *request.mutable_fidelity() = parse_fidelity(options.fidelity);
   return request;
 }
 
@@ -71,6 +73,7 @@ ExitCode perform_study(const GlobalOptions& global, const StudyOptions& options,
 
 void add_study_options(CLI::App& app, StudyOptions& options) {
   add_scene_options(app, options.scene);
+  add_preset_option(app, options.fidelity);
   app.add_option("--label", options.labels, "A label of the study; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)

@@ -52,6 +52,29 @@ TEST(Studies, give_an_answer_with_its_files_without_computing_it_again) {
   EXPECT_EQ(service.history(run.job_id(), false), service.history(computed, false));
 }
 
+TEST(Studies, begin_with_the_settings_of_a_preset_but_have_no_target) {
+  Service service({"--workers", "0"});
+  v1::SubmitStudyRequest request;
+  *request.mutable_scene() = bar();
+  request.mutable_fidelity()->set_preset(v1::PREVIEW);
+  v1::Dial& dial = *request.mutable_sweep()->add_dials();
+  dial.set_name("scheme");
+  dial.add_settings()->set_name("USL");
+  dial.mutable_settings(0)->add_changes("numerics.scheme=USL");
+  const auto stub = v1::Studies::NewStub(service.channel());
+  v1::Job job;
+  {
+    grpc::ClientContext context;
+    ASSERT_TRUE(stub->SubmitStudy(&context, request, &job).ok());
+  }
+  const v1::Settings settings = service.get(service.study(job.job_id()).runs(0).job_id()).settings();
+  EXPECT_EQ(settings.cell_size(), 2 * bar().domain().cell_size());
+  EXPECT_EQ(settings.numerics().scheme(), "USL");
+  request.mutable_fidelity()->mutable_target()->set_measure("tip");
+  grpc::ClientContext context;
+  EXPECT_EQ(stub->SubmitStudy(&context, request, &job).error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+}
+
 TEST(Studies, stop_all_of_their_runs_when_they_are_cancelled) {
   Service service(frequent_checkpoints);
   const std::string job = service.sweep(bar(1000), {1, 2});

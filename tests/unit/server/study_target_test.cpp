@@ -165,7 +165,7 @@ TEST(Fidelity, ChangesTheCellsAndWhatGoesWithThem) {
        {std::pair(v1::PREVIEW, 1.0), std::pair(v1::STANDARD, 0.5), std::pair(v1::REFERENCE, 0.25)}) {
     v1::SubmitJobRequest request = bar();
     request.mutable_fidelity()->set_preset(preset);
-    resolve_fidelity(request);
+    resolve_fidelity(request.fidelity(), *request.mutable_scene());
     EXPECT_EQ(request.scene().domain().cell_size(), size);
     EXPECT_EQ(std::stod(request.scene().constants(0).value()), size);
   }
@@ -177,7 +177,7 @@ TEST(Fidelity, RepeatsARunByTheSettingsThatItTells) {
   const v1::Scene computed = next_step(first.scene(), plan_target(first, {}).study).run->scene;
   v1::SubmitJobRequest again = bar();
   *again.mutable_fidelity()->mutable_settings() = settings_of(computed);
-  resolve_fidelity(again);
+  resolve_fidelity(again.fidelity(), *again.mutable_scene());
   EXPECT_EQ(settings_of(again.scene()).SerializeAsString(), settings_of(computed).SerializeAsString());
   EXPECT_EQ(again.scene().constants(0).value(), computed.constants(0).value());
 }
