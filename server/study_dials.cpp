@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "server/errors.h"
 #include "server/study_table.h"
@@ -142,6 +143,25 @@ v1::Setting with_cell_size(const v1::Scene& scene, double cell_size) {
     changes.push_back("analysis.implicit_dynamics.time_steps=" + std::to_string(scaled));
   }
   return setting(exact_text(cell_size), changes);
+}
+
+double common_length(const v1::Scene& scene) {
+  std::vector<const v1::Region*> regions;
+  for (const v1::Body& body : scene.bodies()) regions.push_back(&body.geometry());
+  for (const v1::Probe& probe : scene.outputs().probes()) regions.push_back(&probe.mean());
+  const double cell = scene.domain().cell_size();
+  const v1::Vector& corner = scene.domain().lower();
+  double common = 0;
+  for (const v1::Region* region : regions) {
+    if (!region->has_box()) continue;
+    const v1::Vector &lower = region->box().lower(), &upper = region->box().upper();
+    for (double length : {upper.x() - lower.x(), upper.y() - lower.y(), upper.z() - lower.z(),
+                          lower.x() - corner.x(), lower.y() - corner.y(), lower.z() - corner.z()}) {
+      // Euclid's algorithm, up to rounding.
+      while (length > 1e-9 * cell) common = std::exchange(length, std::abs(std::remainder(common, length)));
+    }
+  }
+  return std::max(common, cell);
 }
 
 v1::Dial ladder_dial(const v1::Scene& scene, const v1::Ladder& ladder) {

@@ -70,7 +70,8 @@ std::optional<store::PlannedRun> plan_rung(const v1::Scene& scene, const v1::Set
 
 std::optional<store::PlannedRun> plan_coarsest(const v1::Scene& scene, const v1::Setting& method) {
   for (const double factor : {4, 2, 1}) {
-    if (auto planned = plan_rung(scene, method, factor * scene.domain().cell_size())) return planned;
+    const double size = accuracy::aligned(factor * scene.domain().cell_size(), common_length(scene));
+    if (auto planned = plan_rung(scene, method, size)) return planned;
   }
   return std::nullopt;
 }
@@ -134,6 +135,7 @@ class Climb {
       all_ += run.cost().core_seconds();
       if (run.answered_by().empty()) spent_ += run.cost().core_seconds();
     }
+    for (Method& method : methods_) look_out(method);
     for (Method& method : methods_) method.next = plan_next(method);
   }
 
@@ -211,10 +213,19 @@ class Climb {
       method.rungs.push_back({cell_size, measure->value(), run.cost().core_seconds()});
       method.numbers.push_back(i);
     }
-    // Of a value that is 0 no share is a tolerance.
-    if (!method.rungs.empty() && tolerance(method.value()) > 0)
-      method.outlook = accuracy::outlook(method.rungs, tolerance(method.value()));
     return method;
+  }
+
+  void look_out(Method& method) const {
+    // Of a value that is 0 no share is a tolerance.
+    if (method.rungs.empty() || !(tolerance(method.value()) > 0)) return;
+    accuracy::Aim aim{tolerance(method.value()), common_length(scene_), {}};
+    for (const Method& other : methods_) {
+      if (&other == &method || other.rungs.size() < 2) continue;
+      aim.elsewhere = accuracy::extrapolated(other.rungs[other.rungs.size() - 2], other.rungs.back());
+      break;
+    }
+    method.outlook = accuracy::outlook(method.rungs, aim);
   }
 
   std::optional<store::PlannedRun> plan_next(const Method& method) const {
@@ -222,7 +233,7 @@ class Climb {
     if (method.tried >= most_runs_of_a_method || method.failed >= most_failures_of_a_method) return std::nullopt;
     const bool has_failed = method.rungs.empty() || method.rungs.back().cell_size > method.smallest;
     const double wanted = has_failed || !method.outlook ? method.smallest / 2 : method.outlook->next_cell_size;
-    for (const double size : {wanted, method.smallest / 2, method.smallest * 2 / 3, method.smallest / 3}) {
+    for (const double size : {wanted, method.smallest / 2, method.smallest / 3}) {
       if (auto planned = plan_rung(scene_, method.setting, size)) return planned;
     }
     return std::nullopt;

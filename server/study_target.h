@@ -22,7 +22,8 @@ struct TargetStep {
 
 /// Follows from the scene as it was submitted and the study alone. Two methods begin with two coarse grids each,
 /// which tells what it would take either to reach the tolerance; then the one that would be cheaper climbs. A band
-/// of two grids is believed if another method does not contradict it, of one method alone after a third grid.
+/// of two grids counts how far another method's answer is away; of one method alone it is believed after a third
+/// grid.
 TargetStep next_step(const v1::Scene& scene, const v1::Study& study);
 
 }  // namespace trajan

@@ -83,6 +83,14 @@ TEST(StudyTarget, ClimbsUntilTheBandIsWithinTheTolerance) {
   }
 }
 
+TEST(StudyTarget, TakesCellsThatTheBodyIsAWholeNumberOf) {
+  const End end = lead(bar(1e-4), second_order);
+  for (const v1::Run& run : end.study.runs()) {
+    const double cells = 10 / std::stod(run.settings(1));
+    EXPECT_NEAR(cells, std::round(cells), 1e-9) << "of a bar of 10";
+  }
+}
+
 TEST(StudyTarget, GoesOnWithTheMethodThatWillBeCheaper) {
   const End end = lead(bar(0.002), second_order);
   ASSERT_TRUE(end.step.answer && end.step.answer->reached());
