@@ -57,19 +57,19 @@ void estimate_by_model(const Model& model, const ModelPlan& plan, const Evidence
   const auto time = run_time(model, plan, estimate.threads(), Rates(seconds.begin(), seconds.end()));
   const auto& bytes = evidence.calibration->bytes();
   const auto memory = run_memory(model, plan, Rates(bytes.begin(), bytes.end()));
-  if (!time || !memory) {
+  const std::string basis = "counted work and this machine's rates";
+  if (memory) *estimate.mutable_memory_bytes() = figure(*memory, memory_factor, source, basis);
+  if (!time) {
     estimate.set_missing("core_seconds, wall_seconds: there is no rate for what the scene combines");
     return;
   }
   const double factor =
       std::max(factor_of(evidence, source, model_factor), knows_its_steps(model) ? 1.0 : unknown_steps_factor);
-  const std::string basis = "counted work and this machine's rates";
   *estimate.mutable_steps() = figure(time->steps, steps_factor, source, plan.time_step_limit);
   estimate.set_model_steps(time->steps);
   *estimate.mutable_core_seconds() = figure(time->core_seconds, factor, source, basis);
   *estimate.mutable_wall_seconds() = figure(time->wall_seconds, factor, source, basis);
   estimate.set_model_wall_seconds(time->wall_seconds);
-  *estimate.mutable_memory_bytes() = figure(*memory, memory_factor, source, basis);
 }
 
 std::string method_of(const v1::Settings& settings) {
@@ -135,22 +135,23 @@ void estimate_by_trial(const Model& model, const Evidence& evidence, v1::Estimat
     estimate.set_missing("the trial run went bad: " + trial.failure());
     return;
   }
-  if (trial.steps() < 1) return;
-  const bool whole = trial.share() >= 1;
-  // A relaxation's present level tells nothing of the next; otherwise steps are alike.
-  const bool relaxes = std::holds_alternative<Relaxation>(model.analysis);
-  const double more = whole
-                          ? 1
-                          : std::max(static_cast<double>(trial.total_steps()) / static_cast<double>(trial.steps()),
-                                     relaxes && trial.share() > 0 ? 1 / trial.share() : 1);
-  const double factor = factor_of(evidence, source, trial_factor) * (whole || knows_its_steps(model) ? 1 : 2);
-  const std::string basis = whole ? "a whole run" : "a run over a part of the time";
-  *estimate.mutable_steps() = figure(more * static_cast<double>(trial.steps()), whole ? 1 : 1.1, source, basis);
-  *estimate.mutable_wall_seconds() = figure(more * trial.cost().wall_seconds(), factor, source, basis);
-  *estimate.mutable_core_seconds() = figure(more * trial.cost().core_seconds(), factor, source, basis);
-  *estimate.mutable_memory_bytes() =
-      figure(static_cast<double>(trial.cost().memory_bytes()), memory_factor, source, basis);
-  estimate.clear_missing();
+  // A search for modes does not show how far it is.
+  const bool searches =
+      std::holds_alternative<Modal>(model.analysis) || std::holds_alternative<Buckling>(model.analysis);
+  if (searches && !trial.whole()) return;
+  const double factor = factor_of(evidence, source, trial_factor);
+  const v1::Cost& cost = trial.cost();
+  *estimate.mutable_steps() = figure(trial.steps(), trial.whole() ? 1 : 1.1, source, trial.basis());
+  *estimate.mutable_wall_seconds() = figure(cost.wall_seconds(), factor, source, trial.basis());
+  *estimate.mutable_core_seconds() = figure(cost.core_seconds(), factor, source, trial.basis());
+  // Files and histories grow until the end.
+  if (trial.whole())
+    *estimate.mutable_memory_bytes() =
+        figure(static_cast<double>(cost.memory_bytes()), memory_factor, source, trial.basis());
+  if (estimate.has_memory_bytes())
+    estimate.clear_missing();
+  else
+    estimate.set_missing("memory_bytes: this machine has not been measured yet");
 }
 
 }  // namespace

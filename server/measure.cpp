@@ -5,57 +5,21 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <fstream>
-#include <iterator>
 
-#include "server/convert.h"
-#include "server/run_cost.h"
-#include "solver/analyses/background_recorder.h"
+#include "server/recorded_run.h"
+#include "server/trial.h"
 #include "solver/cost/measure_rates.h"
 #include "solver/cost/run_time.h"
 #include "solver/cost/sample_scenes.h"
-#include "solver/measures/measure.h"
-#include "solver/results/results.h"
-#include "trajan/v1/estimates.pb.h"
+#include "solver/model/validate.h"
 
 namespace trajan::measuring {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double seconds_for_rates = 6;
 constexpr int courtesy = 10;  ///< of nice(2): a tenth of a core where others want it
-
-struct Recorded {
-  v1::Cost cost;
-  RunResult result;
-};
-
-/// Does what a worker does with a job.
-Recorded record(const Scene& scene, const std::filesystem::path& directory, int threads, const StopRequest& stop) {
-  const RunCost cost(threads);
-  Recorded recorded;
-  std::filesystem::create_directories(directory);
-  {
-    const Model model = validate(scene);
-    const auto writer = results::ResultWriter::open(directory, model, {"", TRAJAN_VERSION});
-    RunOptions options;
-    options.threads = threads;
-    BackgroundRecorder background(*writer);
-    recorded.result = run(model, options, background, stop);
-    background.finish();
-    std::vector<double> time, values;
-    writer->histories(time, values);
-    const std::vector<MeasureValue> measures =
-        recorded.result.end == RunEnd::finished ? evaluate(model, time, values) : std::vector<MeasureValue>();
-    results::write_xdmf(writer->finish(results::Status::succeeded, measures, {}).path);
-    recorded.cost = cost.so_far();
-  }
-  std::filesystem::remove_all(directory);
-  return recorded;
-}
 
 /// Seconds that this thread has waited for a processor so far, being ready to run (proc(5), schedstat); 0 if the
 /// system does not tell.
@@ -91,7 +55,7 @@ class Recording {
     const Spent frame_byte = (per_frame(side) - frame) / bytes;
     keep("snapshot_byte", frame_byte);
     Spent large = best(scene(side, 1, 1)) - plain - frame_byte * (2 * bytes);
-    large.bytes -= static_cast<double>(plan(model).memory_bytes) + cached_snapshot_bytes(model);
+    large.bytes -= static_cast<double>(plan(model).memory_bytes) + kept_snapshot_bytes(model);
     keep("particle", large / static_cast<double>(model.particle_count()));
   }
 
@@ -111,7 +75,7 @@ class Recording {
     Spent best;
     for (int i = 0; i < 3; ++i) {
       const double delayed = delayed_seconds();
-      const v1::Cost cost = record(scene, directory_ / "run", 1, {}).cost;
+      const v1::Cost cost = record_run(scene, directory_ / "run", 1, {}).cost;
       const double wall = cost.wall_seconds() - (delayed_seconds() - delayed);
       if (i == 0 || wall < best.wall) best = {wall, cost.core_seconds(), static_cast<double>(cost.memory_bytes())};
     }
@@ -165,18 +129,7 @@ int try_scene(const std::filesystem::path& directory, double seconds, int thread
   v1::Scene scene;
   std::ifstream file(directory / question_file, std::ios::binary);
   if (!scene.ParseFromIstream(&file)) return 1;
-  const Clock::time_point end =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  const Recorded recorded =
-      record(to_scene(scene), directory / "run", threads, [&](const RunProgress&) { return Clock::now() > end; });
-  const RunProgress& progress = recorded.result.progress;
-  v1::Trial trial;
-  trial.set_share(recorded.result.end == RunEnd::finished ? 1 : progress.time / progress.end_time);
-  trial.set_steps(progress.step);
-  trial.set_total_steps(progress.total_steps);
-  *trial.mutable_cost() = recorded.cost;
-  if (recorded.result.divergence) trial.set_failure(recorded.result.divergence->cause);
-  return leave(directory, trial);
+  return leave(directory, trajan::try_scene(scene, directory / "run", seconds, threads));
 }
 
 }  // namespace trajan::measuring

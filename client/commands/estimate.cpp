@@ -15,7 +15,7 @@ namespace {
 
 struct EstimateOptions {
   SceneSource scene;
-  double probe = 0;
+  double probe = 0.8;
   bool audit = false;
   int most = 1000;
   OutputFormat output = OutputFormat::table;
@@ -63,7 +63,7 @@ v1::Estimate ask_until_measured(AvailableServer& server, const LoadedScene& scen
   say("measuring this machine, which a server of its own does once: trajan serve");
   while (!estimate.has_wall_seconds() && std::chrono::steady_clock::now() < give_up) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    estimate = ask(server.connection(), scene, 0);
+    estimate = ask(server.connection(), scene, probe);
   }
   return estimate;
 }
@@ -87,8 +87,9 @@ void declare_estimate(CLI::App& app, const GlobalOptions& global, Action& action
   const auto asked = std::make_shared<EstimateOptions>();
   add_scene_options(app, asked->scene);
   app.get_option("scene")->required(false);
-  app.add_option("--probe", asked->probe, "Run the scene for so long to see how fast it goes")
+  app.add_option("--probe", asked->probe, "Run the scene for so long to see how fast it goes; 0: not at all")
       ->type_name("SECONDS")
+      ->capture_default_str()
       ->check(CLI::Range(0.0, 20.0));
   app.add_flag("--audit", asked->audit, "What was expected of finished jobs beside what they took");
   app.add_option("-n,--most", asked->most, "Of the audit: jobs at most")->check(CLI::Range(1, 10000));

@@ -20,7 +20,7 @@ constexpr Dimension dimensions[] = {Dimension::bar, Dimension::plane_stress, Dim
 /// Those whose grids differ.
 constexpr Dimension grids[] = {Dimension::bar, Dimension::plane_strain, Dimension::axisymmetric, Dimension::solid};
 /// Measurements that `measure_rates` takes, about.
-constexpr double measurements = 900;
+constexpr double measurements = 1150;
 
 double clock_seconds(clockid_t clock) {
   timespec time{};
@@ -44,12 +44,13 @@ class Measuring {
         for (std::string_view scheme : scheme_names()) measure_steps(grid, shape, scheme);
         measure_transfers(grid, shape);
         measure_iterations(grid, shape);
+        measure_contact(grid, shape);
       }
-      measure_contact(grid);
-      measure_samples(grid);
     }
-    for (Dimension dimension : dimensions)
+    for (Dimension dimension : dimensions) {
       for (bool total : {false, true}) measure_laws(dimension, total);
+      measure_tangents(dimension);
+    }
     measure_modes();
     measure_formulas();
     measure_memory();
@@ -148,20 +149,14 @@ class Measuring {
     }
   }
 
-  void measure_contact(Dimension grid) {
-    const Scene contact = sample_contact(grid, elastic(), small(grid), 2);
+  void measure_contact(Dimension grid, std::string_view shape) {
+    Scene contact = sample_contact(grid, elastic(), small(grid), 2);
+    contact.numerics.shape_functions = shape;
     Scene stuck = contact;
     stuck.contacts.clear();
     const auto together = time_steps(contact), one = time_steps(stuck);
-    if (together && one) keep(contact_rate(grid), (together->seconds - one->seconds) / together->size.layer);
-  }
-
-  void measure_samples(Dimension grid) {
-    const Scene seldom = block(grid, small(grid), 2);
-    Scene often = seldom;
-    often.outputs.samples = 1'000'000;
-    often.analysis.end_time = 1;
-    if (const auto more = excess(often, time_steps(seldom))) keep(sample_rate(grid), *more);
+    if (together && one)
+      keep(contact_rate(grid, shape), (together->seconds - one->seconds) / together->size.layer);
   }
 
   void measure_laws(Dimension dimension, bool total) {
@@ -174,18 +169,37 @@ class Measuring {
       for (const MaterialKind& kind : kinds) {
         Scene other = block(dimension, small(grid), 2, kind);
         other.numerics.scheme = scheme;
-        if (const auto more = excess(other, plain)) rates_[law_rate(dimension, total, kind.name)] = *more;
+        const auto steps = time_steps(other);
+        if (!plain || !steps) continue;
+        rates_[law_rate(dimension, total, kind.name)] = (steps->seconds - plain->seconds) / steps->size.particles;
+        other.outputs.samples = 1'000'000;  // more than steps
+        other.analysis.end_time = 1;
+        if (const auto more = excess(other, steps)) keep(sample_rate(dimension, total, kind.name), *more);
       }
+  }
+
+  static Scene implicit_block(Dimension dimension, int cells, const MaterialKind& kind) {
+    Scene scene = block(dimension, cells, 2, kind);
+    scene.numerics.scheme = "TLMPM";
+    scene.analysis.kind = ImplicitDynamics{};
+    return scene;
+  }
+
+  void measure_tangents(Dimension dimension) {
+    const int cells = small(dimension);
+    const auto plain = time_steps(implicit_block(dimension, cells, *find_material_kind("neo_hookean")));
+    for (std::span<const MaterialKind> kinds : {material_kinds(), damaged_kinds()})
+      for (const MaterialKind& kind : kinds)
+        if (const auto more = excess(implicit_block(dimension, cells, kind), plain))
+          rates_[tangent_rate(dimension, kind.name)] = *more;
   }
 
   /// Two blocks tell assembly and factorization apart.
   void measure_iterations(Dimension grid, std::string_view shape) {
     const int large = grid == Dimension::bar ? 640 : grid == Dimension::solid ? 4 : 24;
     const auto time = [&](int cells) {
-      Scene scene = block(grid, cells, 2, *find_material_kind("neo_hookean"));
+      Scene scene = implicit_block(grid, cells, *find_material_kind("neo_hookean"));
       scene.numerics.shape_functions = shape;
-      scene.numerics.scheme = "TLMPM";
-      scene.analysis.kind = ImplicitDynamics{};
       return time_steps(scene);
     };
     const auto few = time(large / 2), many = time(large);

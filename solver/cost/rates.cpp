@@ -48,12 +48,20 @@ std::string law_rate(Dimension dimension, bool total_lagrangian, std::string_vie
   return joined({name_of(dimension), total_lagrangian ? "total" : "updated", law});
 }
 
-std::string contact_rate(Dimension dimension) { return joined({grid_of(dimension), "contact"}); }
+std::string contact_rate(Dimension dimension, std::string_view shape_functions) {
+  return joined({grid_of(dimension), shape_functions, "contact"});
+}
 
-std::string sample_rate(Dimension dimension) { return joined({grid_of(dimension), "sample"}); }
+std::string sample_rate(Dimension dimension, bool total_lagrangian, std::string_view law) {
+  return joined({law_rate(dimension, total_lagrangian, law), "sample"});
+}
 
 std::string iteration_rate(Dimension dimension, std::string_view shape_functions, std::string_view of) {
   return joined({grid_of(dimension), shape_functions, of});
+}
+
+std::string tangent_rate(Dimension dimension, std::string_view law) {
+  return joined({name_of(dimension), "tangent", law});
 }
 
 std::string modes_rate() { return "modes"; }

@@ -21,13 +21,16 @@ std::string transfer_rate(Dimension, const Numerics&);
 /// What another law takes more, or the same law with stresses that are held at zero, per particle.
 std::string law_rate(Dimension, bool total_lagrangian, std::string_view law);
 /// What contact between bodies takes more, per particle of a layer.
-std::string contact_rate(Dimension);
+std::string contact_rate(Dimension, std::string_view shape_functions);
 /// A character of a body force's formula, per particle that it is evaluated for.
 std::string formula_rate();
-/// A sample of histories, per particle.
-std::string sample_rate(Dimension);
-/// An iteration of Newton's method: its "assembly" per particle, its "factors" per unit of `factor_work`.
+/// A sample of histories, whose energies are those of a law, per particle.
+std::string sample_rate(Dimension, bool total_lagrangian, std::string_view law);
+/// An iteration of Newton's method with a neo-Hookean law: its "assembly" per particle, its "factors" per unit of
+/// `factor_work`.
 std::string iteration_rate(Dimension, std::string_view shape_functions, std::string_view of);
+/// What another law takes more in it, per particle.
+std::string tangent_rate(Dimension, std::string_view law);
 /// A search for modes, in iterations of Newton's method on the same grid.
 std::string modes_rate();
 /// What a step takes more per byte of particles that does not stay in the cache.

@@ -102,7 +102,8 @@ double explicit_step_seconds(const Model& model, const StepSize& size, RateTable
     seconds += rates[law_rate(model.dimension, total, model.materials[body.material].kind->name)] *
                static_cast<double>(body.particles);
   if (model.contacts.fields > 1)
-    seconds += rates[contact_rate(model.dimension)] * size.layer * (model.contacts.fields - 1);
+    seconds += rates[contact_rate(model.dimension, model.numerics.shape_functions)] * size.layer *
+               (model.contacts.fields - 1);
   seconds += rates[formula_rate()] * size.formulas + rates[memory_rate()] * size.uncached_bytes;
   return seconds;
 }
@@ -111,7 +112,11 @@ double iteration(const Model& model, const StepSize& size, RateTable& rates) {
   const auto of = [&](const char* part) {
     return rates[iteration_rate(model.dimension, model.numerics.shape_functions, part)];
   };
-  return of("assembly") * size.particles + of("factors") * size.factor_work;
+  double seconds = of("assembly") * size.particles + of("factors") * size.factor_work;
+  for (const Body& body : model.bodies)
+    seconds += rates[tangent_rate(model.dimension, model.materials[body.material].kind->name)] *
+               static_cast<double>(body.particles);
+  return seconds;
 }
 
 /// Steps and what they take together.
@@ -163,7 +168,7 @@ std::optional<double> run_memory(const Model& model, const ModelPlan& plan, cons
   RateTable table(bytes);
   // Rates are of rows without probes.
   const double columns_of_rate = 8, columns = static_cast<double>(history_columns(model).size());
-  const double memory = static_cast<double>(plan.memory_bytes) + cached_snapshot_bytes(model) +
+  const double memory = static_cast<double>(plan.memory_bytes) + kept_snapshot_bytes(model) +
                         table[recording_rate("run")] +
                         table[recording_rate("particle")] * static_cast<double>(plan.particles) +
                         table[recording_rate("row")] * static_cast<double>(model.outputs.samples) * (columns + 1) /
@@ -171,12 +176,13 @@ std::optional<double> run_memory(const Model& model, const ModelPlan& plan, cons
   return table.complete() ? std::optional(memory) : std::nullopt;
 }
 
-/// HDF5 keeps up to a mebibyte of the chunks of each dataset.
-double cached_snapshot_bytes(const Model& model) {
-  constexpr double most = 1 << 20;
+/// HDF5 keeps up to a mebibyte of the chunks of each dataset. Of one snapshot there is a copy that waits to be
+/// written while the next one is made.
+double kept_snapshot_bytes(const Model& model) {
+  constexpr double most = 1 << 20, copies = 2;
   if (model.outputs.samples_per_snapshot == 0) return 0;
   const auto snapshots = static_cast<double>(model.outputs.samples / model.outputs.samples_per_snapshot + 1);
-  double sum = 0;
+  double sum = copies * snapshot_bytes(model);
   for (const std::size_t components : stored_components(model))
     sum += std::min(most, snapshots * static_cast<double>(sizeof(double) * components) *
                               static_cast<double>(model.particle_count()));
@@ -201,7 +207,11 @@ std::optional<RunTime> run_time(const Model& model, const ModelPlan& plan, int t
   const Steps steps = steps_of(model, plan, table);
   const auto samples = static_cast<double>(model.outputs.samples);
   const auto particles = static_cast<double>(model.particle_count());
-  const double sampling = samples * table[sample_rate(model.dimension)] * particles;
+  double sampling = 0;
+  for (const Body& body : model.bodies)
+    sampling += samples * static_cast<double>(body.particles) *
+                table[sample_rate(model.dimension, is_total_lagrangian(model.numerics.scheme),
+                                  model.materials[body.material].kind->name)];
   const double snapshots = model.outputs.samples_per_snapshot == 0
                                ? 0
                                : samples / static_cast<double>(model.outputs.samples_per_snapshot) + 1;

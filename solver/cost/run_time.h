@@ -35,8 +35,8 @@ std::optional<RunTime> run_time(const Model& model, const ModelPlan& plan, int t
 /// Bytes that a run adds to its process, at most; `bytes`: of recording, by the names of rates.
 std::optional<double> run_memory(const Model& model, const ModelPlan& plan, const Rates& bytes);
 
-/// What the result file's library keeps of snapshots in memory.
-double cached_snapshot_bytes(const Model& model);
+/// What is kept of snapshots in memory.
+double kept_snapshot_bytes(const Model& model);
 
 /// Of a snapshot in the result file, without what all snapshots share.
 double snapshot_bytes(const Model& model);

@@ -69,6 +69,17 @@ TEST(Estimates, by_a_trial_run_say_so) {
   EXPECT_EQ(answer.steps().source(), v1::Figure::PROBE);
 }
 
+// All time steps of a stiff bar are alike, with larger cells too.
+TEST(Estimates, by_a_part_of_a_run_know_all_of_its_steps) {
+  Service service({"--workers", "0"});
+  const v1::Scene scene = bar(4);
+  const double steps = estimate(service, scene).steps().value();
+  const v1::Figure probed = estimate(service, scene, 0.3).steps();
+  EXPECT_EQ(probed.source(), v1::Figure::PROBE);
+  EXPECT_THAT(probed.basis(), testing::HasSubstr("% of the run"));
+  EXPECT_NEAR(probed.value(), steps, 0.01 * steps) << "samples are not all as far as the probe was";
+}
+
 TEST(Estimates, of_a_scene_with_mistakes_are_refused_with_all_of_them) {
   Service service({"--workers", "0"});
   v1::EstimateJobRequest request;

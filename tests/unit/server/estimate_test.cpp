@@ -9,6 +9,7 @@
 #include "server/check_scene.h"
 #include "server/estimate_errors.h"
 #include "server/scene_digest.h"
+#include "solver/cost/course.h"
 #include "solver/cost/measure_rates.h"
 #include "solver/cost/rates.h"
 
@@ -42,7 +43,7 @@ v1::Calibration one_microsecond() {
   for (const char* of : {"step", "tile"}) seconds[step_rate(Dimension::plane_stress, numerics, of)] = 0;
   seconds[step_rate(Dimension::plane_stress, numerics, "particle")] = 1e-6;
   seconds[law_rate(Dimension::plane_stress, false, "linear_elastic")] = 0;
-  seconds[sample_rate(Dimension::plane_stress)] = 0;
+  seconds[sample_rate(Dimension::plane_stress, false, "linear_elastic")] = 0;
   seconds[memory_rate()] = seconds[formula_rate()] = 0;
   for (const char* of : {"run", "row", "particle", "snapshot", "snapshot_byte"})
     seconds[recording_rate(of)] = seconds[processing_rate(of)] = bytes[recording_rate(of)] = 0;
@@ -121,13 +122,20 @@ TEST(Estimate, PrefersATrialOfTheSceneItself) {
   Evidence evidence;
   evidence.family = {finished(bar(), 1, 1)};
   evidence.trial.emplace();
-  evidence.trial->set_share(0.25);
-  evidence.trial->set_steps(285);
-  evidence.trial->set_total_steps(1140);
-  evidence.trial->mutable_cost()->set_wall_seconds(3);
+  evidence.trial->set_steps(1140);
+  evidence.trial->mutable_cost()->set_wall_seconds(12);
   const v1::Figure wall = estimate_of(bar(), evidence).wall_seconds();
   EXPECT_EQ(wall.source(), v1::Figure::PROBE);
   EXPECT_NEAR(wall.value(), 12, 1e-12);
+}
+
+TEST(Course, TellsWhatWasSpentAtAShareOfTheTime) {
+  const Course course{{}, {0.5, 10, 1}, {1, 30, 4}};
+  EXPECT_DOUBLE_EQ(spent(course, 0.25).steps, 5. / 30);
+  EXPECT_DOUBLE_EQ(spent(course, 0.25).seconds, 0.5 / 4);
+  EXPECT_DOUBLE_EQ(spent(course, 0.75).steps, 20. / 30);
+  EXPECT_DOUBLE_EQ(spent(course, 0.75).seconds, 2.5 / 4);
+  EXPECT_DOUBLE_EQ(spent(course, 1).seconds, 1);
 }
 
 TEST(Estimate, ScalesErrorsOfTheFamilyByTheOrderThatItShowed) {
