@@ -144,6 +144,8 @@ std::string describe_job(const v1::Job& job, const std::string& expectation) {
   add("took", cell_text(time_taken(job)));
   add("failure", job.has_failure() ? failure_text(job.failure()) : "");
   add("remedy", job.failure().remedy());
+  for (const v1::Warning& warning : job.warnings())
+    add("warning", fmt::format("from time {:.6g} on: {}; {}", warning.time(), warning.cause(), warning.remedy()));
   add("result", job.has_result() ? result_of(job.result()) : "");
   return text;
 }

@@ -75,6 +75,20 @@ std::string claim_of(const v1::Convergence& convergence) {
   return convergence.asymptotic() ? "in the asymptotic range" : "cautious";
 }
 
+/// Each once, with the runs that it is of.
+void print_warnings(std::ostream& out, const v1::Study& study) {
+  std::map<std::string, std::pair<std::string, const v1::Warning*>> runs;
+  for (const v1::Run& run : study.runs())
+    for (const v1::Warning& warning : run.warnings()) {
+      auto& [of, first] = runs[warning.name()];
+      of += (of.empty() ? "" : ", ") + run.job_id();
+      if (first == nullptr) first = &warning;
+    }
+  if (!runs.empty()) out << '\n';
+  for (const auto& [name, found] : runs)
+    out << fmt::format("warning of {}: {}; {}\n", found.first, found.second->cause(), found.second->remedy());
+}
+
 void print_trade(std::ostream& out, const v1::Study& study) {
   const v1::Trade& trade = study.trade();
   out << fmt::format("\nThe cheapest within a tolerance of {}, against {} {:.6g}", trade.measure(),
@@ -175,6 +189,7 @@ void print_study_table(std::ostream& out, const v1::Study& study, OutputFormat o
   }
   print_table(out, run_table(study), output);
   if (output != OutputFormat::table) return;
+  print_warnings(out, study);
   if (!study.convergences().empty()) {
     out << '\n';
     print_table(out, convergence_table(study), output);

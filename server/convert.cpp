@@ -122,6 +122,17 @@ v1::Failure to_proto(const Divergence& divergence) {
   return message;
 }
 
+v1::Warning to_proto(const Warning& warning) {
+  v1::Warning message;
+  message.set_name(warning.name);
+  message.set_cause(warning.cause);
+  message.set_remedy(warning.remedy);
+  message.set_step(warning.step);
+  message.set_time(warning.time);
+  message.set_particle(warning.particle);
+  return message;
+}
+
 namespace {
 
 void add_attributes(const ModelPlan& plan, v1::Plan& message) {

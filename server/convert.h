@@ -26,6 +26,8 @@ v1::Progress to_proto(const RunProgress& progress);
 /// A failure with the reason "DIVERGED".
 v1::Failure to_proto(const Divergence& divergence);
 
+v1::Warning to_proto(const Warning& warning);
+
 /// Without `result_bytes`, which the solver does not know.
 v1::Plan to_proto(const ModelPlan& plan);
 

@@ -82,13 +82,13 @@ grpc::Status LeaseKeeper::report(const v1::ReportRequest& request, v1::ReportRes
   return server_.Report(&context, request, &response);
 }
 
-void LeaseKeeper::tell(const std::string& message) {
+void LeaseKeeper::tell(const v1::Warning& warning) {
   v1::ReportRequest request;
   request.set_lease_id(lease_id_);
-  request.add_messages(message);
+  *request.add_warnings() = warning;
   v1::ReportResponse response;
   const grpc::Status status = report(request, response);
-  if (!status.ok()) logging::warning("not told", {{"message", message}, {"error", status.error_message()}});
+  if (!status.ok()) logging::warning("not told", {{"warning", warning.name()}, {"error", status.error_message()}});
 }
 
 void LeaseKeeper::report_once() {

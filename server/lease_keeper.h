@@ -27,8 +27,8 @@ class LeaseKeeper {
   LeaseKeeper(const LeaseKeeper&) = delete;
   LeaseKeeper& operator=(const LeaseKeeper&) = delete;
 
-  /// For the job's event log. Waits for the server, but not for long: what matters is in the result's file too.
-  void tell(const std::string& message);
+  /// For the job and its event log. Waits for the server, but not for long: warnings are in the result's file too.
+  void tell(const v1::Warning& warning);
   /// Takes the latest progress. True if the run shall stop.
   bool update(const RunProgress& progress);
   Command command() const;

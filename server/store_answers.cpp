@@ -20,6 +20,7 @@ void answer(Database& database, std::int64_t number, const v1::Job& by) {
   *job.mutable_result() = by.result();
   *job.mutable_cost() = by.cost();
   job.set_answered_by(by.job_id());
+  add_warnings(database, job, by.warnings());
   append_message(database, job, "answered by job " + by.job_id() + ", which has an equal scene");
   enter(database, job, v1::SUCCEEDED);
   database.prepare("UPDATE jobs SET answered_by = ? WHERE job_id = ?")

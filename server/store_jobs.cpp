@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
 #include "server/errors.h"
 #include "server/scene_digest.h"
@@ -198,6 +199,19 @@ void append_message(Database& database, v1::Job& job, const std::string& message
   v1::Event event;
   event.set_message(message);
   append_event(database, job, std::move(event));
+}
+
+void add_warnings(Database& database, v1::Job& job,
+                  const google::protobuf::RepeatedPtrField<v1::Warning>& warnings) {
+  for (const v1::Warning& warning : warnings) {
+    const auto is_same = [&](const v1::Warning& known) { return known.name() == warning.name(); };
+    if (std::ranges::any_of(job.warnings(), is_same)) continue;
+    *job.add_warnings() = warning;
+    std::ostringstream text;
+    text << "warning: the result is doubtful from time " << warning.time() << " on: " << warning.cause() << "; "
+         << warning.remedy();
+    append_message(database, job, text.str());
+  }
 }
 
 void enter(Database& database, v1::Job& job, v1::JobState state) {

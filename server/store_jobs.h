@@ -51,6 +51,9 @@ v1::Job cancel(Database& database, std::int64_t job, const std::string& reason);
 /// Numbers the event, stamps it with the time and appends it. Changes only `job`, not its row.
 void append_event(Database& database, v1::Job& job, v1::Event event);
 void append_message(Database& database, v1::Job& job, const std::string& message);
+/// Gives the job those that it does not have yet, each with a message. Changes only `job`, not its row.
+void add_warnings(Database& database, v1::Job& job,
+                  const google::protobuf::RepeatedPtrField<v1::Warning>& warnings);
 /// Sets the state, with `started` and `ended`, and appends the event. Changes only `job`, not its row.
 void enter(Database& database, v1::Job& job, v1::JobState state);
 /// Writes `job` into its row; the study that it is a run of follows.

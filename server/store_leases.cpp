@@ -90,6 +90,7 @@ void apply_outcome(Database& database, v1::Job& job, const v1::CompleteRequest& 
   }
   if (request.has_result()) *job.mutable_result() = request.result();
   if (request.has_cost()) add_cost(job, request.cost());
+  add_warnings(database, job, request.warnings());
   switch (request.outcome_case()) {
     case v1::CompleteRequest::kSucceeded:
       *job.mutable_measures() = request.succeeded().measures();
@@ -154,7 +155,7 @@ void record_report(Database& database, const v1::ReportRequest& report) {
     *event.mutable_progress() = report.progress();
     append_event(database, leased->job, std::move(event));
   }
-  for (const std::string& message : report.messages()) append_message(database, leased->job, message);
+  add_warnings(database, leased->job, report.warnings());
   update(database, leased->job);
 }
 

@@ -34,7 +34,7 @@ std::optional<Lease> lease_next(Database& database, const std::string& worker, s
 
 // The following throw ServiceError NOT_FOUND if the lease is not a present one.
 
-/// Appends progress and messages to the job's events.
+/// Appends progress and new warnings to the job and its events.
 void record_report(Database& database, const v1::ReportRequest& report);
 
 /// Ends the lease with what the worker says. Again for an attempt that ended its job: no effect.

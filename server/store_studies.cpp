@@ -46,6 +46,7 @@ v1::Run read_run(Statement& query) {
   if (job.has_cost()) *run.mutable_cost() = job.cost();
   run.set_answered_by(job.answered_by());
   if (job.has_failure()) *run.mutable_failure() = job.failure();
+  *run.mutable_warnings() = job.warnings();
   return run;
 }
 
@@ -153,6 +154,7 @@ void take_over(Database& database, v1::Job& study, const v1::Job& run) {
   *study.mutable_measures() = run.measures();
   *study.mutable_result() = run.result();
   *study.mutable_settings() = run.settings();
+  add_warnings(database, study, run.warnings());
   study.set_answered_by(run.answered_by().empty() ? run.job_id() : run.answered_by());
   database.prepare("UPDATE jobs SET answered_by = ? WHERE job_id = ?")
       .bind(1, job_number(study.answered_by()))

@@ -36,6 +36,7 @@ v1::Failure make_failure(const std::string& reason, const std::string& text, con
 void describe(const results::FinishedRun& run, v1::CompleteRequest& request) {
   results::write_xdmf(run.file.path);
   *request.mutable_result() = to_message(run.file);
+  for (const Warning& warning : run.warnings) *request.add_warnings() = to_proto(warning);
   switch (run.status) {
     case results::Status::succeeded:
       request.mutable_succeeded();
@@ -54,6 +55,7 @@ void describe(const results::FinishedRun& run, v1::CompleteRequest& request) {
 }
 
 void finish(results::FinishedRun run, results::ResultWriter& writer, v1::CompleteRequest& request) {
+  run.warnings = writer.warnings();
   run.file = writer.finish(run.status, run.measures, run.divergence);
   describe(run, request);
 }
@@ -68,16 +70,37 @@ std::vector<MeasureValue> evaluate_measures(const Model& model, results::ResultW
 /// A lost lease leaves the outcome unset.
 void stop(Command command, results::ResultWriter& writer, v1::CompleteRequest& request) {
   if (command == Command::cancel) {
-    finish({{}, results::Status::cancelled, {}, {}}, writer, request);
+    finish({{}, results::Status::cancelled, {}, {}, {}}, writer, request);
   } else if (command != Command::lost) {
     writer.suspend();
     request.mutable_released();
   }
 }
 
+/// Records, and tells the server at once what it warns of.
+class TellingRecorder : public Recorder {
+ public:
+  TellingRecorder(Recorder& recorder, LeaseKeeper& keeper) : recorder_(recorder), keeper_(keeper) {}
+  void sample(std::int64_t row, double time, std::span<const double> columns) override {
+    recorder_.sample(row, time, columns);
+  }
+  void snapshot(std::int64_t row, const Snapshot& snapshot) override { recorder_.snapshot(row, snapshot); }
+  void checkpoint(const Checkpoint& checkpoint) override { recorder_.checkpoint(checkpoint); }
+  void warn(const Warning& warning) override {
+    recorder_.warn(warning);
+    keeper_.tell(to_proto(warning));
+  }
+  std::int64_t durable_rows() const override { return recorder_.durable_rows(); }
+
+ private:
+  Recorder& recorder_;
+  LeaseKeeper& keeper_;
+};
+
 /// The file is written while the solver goes on.
 RunResult run_recorded(const Model& model, const RunOptions& options, Recorder& recorder, LeaseKeeper& keeper) {
-  BackgroundRecorder background(recorder);
+  TellingRecorder telling(recorder, keeper);
+  BackgroundRecorder background(telling);
   const RunResult result =
       run(model, options, background, [&](const RunProgress& progress) { return keeper.update(progress); });
   background.finish();
@@ -95,16 +118,13 @@ void compute(const v1::LeaseResponse& lease, int threads, LeaseKeeper& keeper, v
   options.checkpoint_interval = lease.checkpoint_interval_seconds();
   options.resume = writer->resume_point();
   const RunResult result = run_recorded(model, options, *writer, keeper);
-  if (result.warning)
-    keeper.tell("warning: the result is doubtful from time " + std::to_string(result.warning->time) +
-                " on: " + result.warning->cause + "; " + result.warning->remedy);
   keeper.update(result.progress);
   *request.mutable_progress() = keeper.progress();
   switch (result.end) {
     case RunEnd::finished:
-      return finish({{}, results::Status::succeeded, evaluate_measures(model, *writer), {}}, *writer, request);
+      return finish({{}, results::Status::succeeded, evaluate_measures(model, *writer), {}, {}}, *writer, request);
     case RunEnd::diverged:
-      return finish({{}, results::Status::diverged, {}, result.divergence}, *writer, request);
+      return finish({{}, results::Status::diverged, {}, result.divergence, {}}, *writer, request);
     case RunEnd::stopped:
       return stop(keeper.command(), *writer, request);
   }

@@ -53,6 +53,7 @@ struct Divergence {
 
 /// What makes the rest of a run's numbers doubtful though it goes on.
 struct Warning {
+  std::string name;  ///< of its kind and of what it is about, at most 100 bytes; a run says each once
   std::int64_t step = 0;
   double time = 0;
   std::int64_t particle = -1;
@@ -60,6 +61,9 @@ struct Warning {
   std::string cause;
   std::string remedy;
 };
+
+/// Warnings that are kept of a run, at most.
+inline constexpr std::size_t most_warnings = 32;
 
 /// Where a run's results go. Calls come from one thread, samples in order, a snapshot after the sample
 /// of the same time. Implementations throw std::runtime_error when they cannot store.
@@ -71,7 +75,8 @@ class Recorder {
   virtual void snapshot(std::int64_t row, const Snapshot& snapshot) = 0;
   /// Everything before it must be durable when this returns.
   virtual void checkpoint(const Checkpoint& checkpoint) = 0;
-  /// After the sample of the same time.
+  /// After the sample of the same time. Once for each name, and again for those from before in a run that goes on
+  /// from a checkpoint.
   virtual void warn(const Warning&) {}
   /// Rows that are durable.
   virtual std::int64_t durable_rows() const = 0;

@@ -39,7 +39,7 @@ class Run {
       result.divergence = diverged.divergence();
     }
     result.progress = progress();
-    result.warning = warning_;
+    result.warnings = std::move(warnings_);
     return result;
   }
 
@@ -60,10 +60,17 @@ class Run {
     recorder_.sample(row, simulation_.time(), simulation_.columns());
     const std::int64_t every = model_.outputs.samples_per_snapshot;
     if (every > 0 && row % every == 0) recorder_.snapshot(row, simulation_.snapshot());
-    const std::optional<Warning> warning = simulation_.warning();
-    if (!warning) return;
-    recorder_.warn(*warning);
-    if (!warning_) warning_ = warning;
+    for (const Warning& warning : simulation_.warnings()) warn(warning);
+  }
+
+  void warn(const Warning& warning) {
+    if (warnings_.size() == most_warnings) return;
+    warnings_.push_back(warning);
+    if (warnings_.size() == most_warnings) {
+      warnings_.back().name = "more";
+      warnings_.back().cause = "there is more to warn of than is kept";
+    }
+    recorder_.warn(warnings_.back());
   }
 
   void checkpoint_if_due() {
@@ -104,7 +111,7 @@ class Run {
   Clock::time_point last_checkpoint_, last_asked_;
   std::int64_t first_step_ = 0;
   double speed_ = 0;
-  std::optional<Warning> warning_;
+  std::vector<Warning> warnings_;
 };
 
 }  // namespace

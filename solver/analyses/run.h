@@ -31,7 +31,7 @@ enum class RunEnd { finished, stopped, diverged };
 struct RunResult {
   RunEnd end = RunEnd::finished;
   std::optional<Divergence> divergence;
-  std::optional<Warning> warning;  ///< the first one since it was started or resumed
+  std::vector<Warning> warnings;  ///< since it was started or resumed, at most `most_warnings`
   RunProgress progress;
 };
 

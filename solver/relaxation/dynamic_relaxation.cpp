@@ -154,15 +154,16 @@ DynamicRelaxation::DynamicRelaxation(const Model& model, const Relaxation& limit
   free_motion_ = find_free_motion_now(model, executor_, until_);
 }
 
-std::optional<Warning> DynamicRelaxation::warning() const {
-  if (free_motion_.empty()) return std::nullopt;
+std::vector<Warning> DynamicRelaxation::warnings() const {
+  if (free_motion_.empty()) return {};
   Warning warning;
+  warning.name = "free motion";
   warning.particle = model_.bodies[0].first_particle;
   warning.place = model_.bodies[0].lattice.point_of(0);
   warning.cause =
       free_motion_ + ": nothing holds it, and where it comes to rest, if it does, is not given by the loads alone";
   warning.remedy = "hold it by a boundary condition";
-  return warning;
+  return {warning};
 }
 
 double DynamicRelaxation::time() const {

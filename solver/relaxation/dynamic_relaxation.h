@@ -20,7 +20,7 @@ class DynamicRelaxation : public Stepper {
 
   /// Takes a step under the loads of the time `until`; true: forces are in balance and all particles at rest.
   bool advance(double until, std::int64_t number) override;
-  std::optional<Warning> warning() const override;
+  std::vector<Warning> warnings() const override;
   /// As far from the last level to the next as the residual has come to the tolerance, on a logarithmic scale.
   double time() const override;
   std::int64_t steps_left() const override;

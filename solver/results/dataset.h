@@ -22,6 +22,7 @@ class Dataset {
   static Dataset create(hid_t parent, const std::string& name, hsize_t components, hsize_t chunk_rows) {
     return create(parent, name, stored_type<T>(), components, chunk_rows);
   }
+  static Dataset create(hid_t parent, const std::string& name, hid_t type, hsize_t components, hsize_t chunk_rows);
   static Dataset open(hid_t parent, const std::string& name, Checksums checksums);
 
   hsize_t rows() const;
@@ -37,6 +38,9 @@ class Dataset {
   void read(hsize_t first, std::span<T> values) const {
     read(first, values.size() / width(), memory_type<T>(), values.data());
   }
+  /// Rows of whatever type, as that of the dataset or a part of it.
+  void write(hsize_t first, hsize_t count, hid_t type, const void* values);
+  void read(hsize_t first, hsize_t count, hid_t type, void* values) const;
   /// Drops the rows from `kept` on, and makes the checksum of the last chunk that stays right. Throws if
   /// the first `file_bytes` of the file do not hold the rows before.
   template <typename T>
@@ -52,14 +56,11 @@ class Dataset {
   void refresh();
 
  private:
-  static Dataset create(hid_t parent, const std::string& name, hid_t type, hsize_t components, hsize_t chunk_rows);
   hsize_t width() const { return components_ ? components_ : 1; }
   Handle select(hsize_t first, hsize_t count) const;
   Handle memory_space(hsize_t count) const;
   void require_rows(hsize_t needed, hsize_t file_bytes) const;
   void resize(hsize_t rows);
-  void write(hsize_t first, hsize_t count, hid_t type, const void* values);
-  void read(hsize_t first, hsize_t count, hid_t type, void* values) const;
 
   std::string name_;
   Handle dataset_;

@@ -16,6 +16,7 @@ std::unique_ptr<ResultFile> ResultFile::create(const std::filesystem::path& path
   write_root(result->file_, model, provenance);
   create_measures(result->file_, model);
   result->histories_ = Histories::create(result->file_, model);
+  result->warnings_ = WarningsTable::create(result->file_);
   if (model.outputs.samples_per_snapshot > 0) result->snapshots_ = Snapshots::create(result->file_, model);
   result->start_concurrent_reading();
   return result;
@@ -35,6 +36,7 @@ std::unique_ptr<ResultFile> ResultFile::repair(const std::filesystem::path& path
   if (result->histories_->columns() != history_columns(model))
     throw std::runtime_error("cannot go on with the file: its columns are not the scene's");
   result->histories_->cut(static_cast<hsize_t>(last_sample + 1), file_bytes);
+  result->warnings_ = WarningsTable::open(result->file_, Dataset::Checksums::ignore);
   if (const std::int64_t period = model.outputs.samples_per_snapshot; period > 0) {
     result->snapshots_ = Snapshots::open(result->file_, model);
     const auto due = static_cast<hsize_t>(last_sample / period + 1);
@@ -61,6 +63,7 @@ void ResultFile::make_durable() { synchronize(file_descriptor(file_)); }
 void ResultFile::close() {
   flush();
   histories_.reset();
+  warnings_.reset();
   snapshots_.reset();
   make_durable();
   file_.close("close the file");

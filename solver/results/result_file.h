@@ -7,6 +7,7 @@
 #include "solver/results/histories.h"
 #include "solver/results/results.h"
 #include "solver/results/snapshots.h"
+#include "solver/results/warnings_table.h"
 
 namespace trajan::results {
 
@@ -29,6 +30,7 @@ class ResultFile {
 
   hid_t id() const { return file_; }
   Histories& histories() { return *histories_; }
+  WarningsTable& warnings() { return *warnings_; }
   /// Only if the scene wants any.
   Snapshots& snapshots() { return *snapshots_; }
   void flush();
@@ -41,6 +43,7 @@ class ResultFile {
 
   Handle file_;
   std::optional<Histories> histories_;
+  std::optional<WarningsTable> warnings_;
   std::optional<Snapshots> snapshots_;
 };
 

@@ -44,6 +44,7 @@ struct FinishedRun {
   Status status = Status::running;
   std::vector<MeasureValue> measures;
   std::optional<Divergence> divergence;
+  std::vector<Warning> warnings;
 };
 
 /// Set if the directory already holds the complete result of this run (a worker was killed between
@@ -65,6 +66,8 @@ class ResultWriter : public Recorder {
   virtual std::optional<Checkpoint> resume_point() = 0;
   /// All histories recorded so far, also those before a resume: times and row-major values.
   virtual void histories(std::vector<double>& time, std::vector<double>& values) = 0;
+  /// All that were given, also those from before a resume; not after `finish` or `suspend`.
+  virtual const std::vector<Warning>& warnings() const = 0;
   /// Closes, computes the digest, makes durable and renames. Removes the checkpoint. After this the
   /// writer must only be destroyed.
   virtual FinishedFile finish(Status status, std::span<const MeasureValue> measures,

@@ -58,11 +58,6 @@ void write_root(hid_t file, const Model& model, const Provenance& provenance) {
   set_attribute(file, "divergence_step", std::int64_t{-1});
   set_attribute(file, "divergence_time", std::numeric_limits<double>::quiet_NaN());
   set_attribute(file, "divergence_particle", std::int64_t{-1});
-  set_attribute(file, "warning", std::string());
-  set_attribute(file, "warning_remedy", std::string());
-  set_attribute(file, "warning_step", std::int64_t{-1});
-  set_attribute(file, "warning_time", std::numeric_limits<double>::quiet_NaN());
-  set_attribute(file, "warning_particle", std::int64_t{-1});
 }
 
 std::string run_identity(const Provenance& provenance) {
@@ -83,16 +78,6 @@ void write_end(hid_t file, Status status, const std::optional<Divergence>& diver
   }
   set_attribute(file, "status", std::string(status_names[static_cast<std::size_t>(status)]));
 }
-
-void write_warning(hid_t file, const Warning& warning) {
-  set_attribute(file, "warning", warning.cause);
-  set_attribute(file, "warning_remedy", warning.remedy);
-  set_attribute(file, "warning_step", warning.step);
-  set_attribute(file, "warning_time", warning.time);
-  set_attribute(file, "warning_particle", warning.particle);
-}
-
-bool has_warning(hid_t file) { return !text_attribute(file, "warning").empty(); }
 
 Status read_status(hid_t file) {
   const std::string name = text_attribute(file, "status");

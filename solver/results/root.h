@@ -16,8 +16,6 @@ std::string run_identity(const Provenance& provenance);
 std::string run_identity(hid_t file);
 
 void write_end(hid_t file, Status status, const std::optional<Divergence>& divergence);
-void write_warning(hid_t file, const Warning& warning);
-bool has_warning(hid_t file);
 Status read_status(hid_t file);
 std::optional<Divergence> read_divergence(hid_t file);
 

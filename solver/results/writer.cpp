@@ -68,10 +68,9 @@ class Writer : public ResultWriter {
   }
 
   void warn(const Warning& warning) override {
-    if (std::exchange(warned_, true)) return;
     guarded([&] {
       commit();
-      write_warning(file_->id(), warning);
+      if (!file_->warnings().add(warning)) return;
       file_->flush();
       file_->make_durable();
     });
@@ -106,6 +105,8 @@ class Writer : public ResultWriter {
     return finished;
   }
 
+  const std::vector<Warning>& warnings() const override { return file_->warnings().warnings(); }
+
   void suspend() override {
     guarded([&] {
       commit();
@@ -121,7 +122,6 @@ class Writer : public ResultWriter {
     if (!checkpoint || !std::filesystem::exists(directory_ / partial_name)) return;
     try {
       file_ = ResultFile::repair(directory_ / partial_name, model, provenance, checkpoint->sample);
-      warned_ = has_warning(file_->id());
       resume_point_ = std::move(checkpoint);
     } catch (const std::runtime_error&) {
       // Beyond repair. The results are the same when computed again.
@@ -173,7 +173,6 @@ class Writer : public ResultWriter {
   std::vector<double> times_;   ///< of the samples that are not committed yet
   std::vector<double> values_;  ///< (times_.size(), columns_)
   Clock::time_point last_commit_ = Clock::now();
-  bool warned_ = false;  ///< the file has its warning
 };
 
 }  // namespace
@@ -197,6 +196,7 @@ std::optional<FinishedRun> finished_run(const std::filesystem::path& directory, 
       run.status = read_status(file);
       run.measures = read_measures(file);
       run.divergence = read_divergence(file);
+      run.warnings = WarningsTable::open(file, Dataset::Checksums::verify).warnings();
     }
     run.file = {path, static_cast<std::int64_t>(std::filesystem::file_size(path)), sha256_of_file(path),
                 run.status == Status::succeeded};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/model/names.h"
 #include "solver/schemes/scheme.h"
 
 namespace trajan {
@@ -129,9 +130,10 @@ Coherence::Groups Coherence::groups(const BodyParticles& body) const {
   return result;
 }
 
-std::optional<Warning> Coherence::check(std::int64_t step, double time, bool due) {
+std::vector<Warning> Coherence::check(std::int64_t step, double time, bool due) {
   const bool passed = step / steps_between != last_sample_ / steps_between;
   last_sample_ = step;
+  std::vector<Warning> all;
   for (std::size_t b = 0; b < groups_at_first_.size(); ++b) {
     if (groups_at_first_[b] == 0) continue;
     std::optional<Warning> found = check_gaps(b);
@@ -140,9 +142,9 @@ std::optional<Warning> Coherence::check(std::int64_t step, double time, bool due
     groups_at_first_[b] = 0;
     found->step = step;
     found->time = time;
-    return found;
+    all.push_back(*found);
   }
-  return std::nullopt;
+  return all;
 }
 
 /// Costs no more than a step.
@@ -176,10 +178,11 @@ std::optional<Warning> Coherence::check_groups(std::size_t b) const {
 Warning Coherence::warning(std::size_t b, std::size_t slot, const std::string& cause) const {
   const BodyParticles& body = executor_.bodies()[b];
   Warning warning;
+  warning.name = "coherence of " + quoted(model_.bodies[b].name);
   warning.particle = model_.bodies[b].first_particle + body.number[slot];
   double* const place[] = {&warning.place.x, &warning.place.y, &warning.place.z};
   for (int axis = 0; axis < axes_; ++axis) *place[axis] = body.component(Attribute::position_x, axis)[slot];
-  warning.cause = "body \"" + model_.bodies[b].name + "\" " + cause;
+  warning.cause = "body " + quoted(model_.bodies[b].name) + " " + cause;
   warning.remedy =
       "what follows is no longer its motion: choose numerics.scheme: \"TLMPM\", numerics.shape_functions: "
       "\"cpdi\" or more "

@@ -19,7 +19,7 @@ class Coherence {
 
   /// To be called at samples. Looks for gaps between particles, and for pieces, which takes as long as some steps,
   /// if many have passed or it is `due`. A body that has come apart is found once.
-  std::optional<Warning> check(std::int64_t step, double time, bool due);
+  std::vector<Warning> check(std::int64_t step, double time, bool due);
   /// The step of the sample that a run goes on from.
   void resume(std::int64_t step) { last_sample_ = step; }
 

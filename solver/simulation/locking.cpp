@@ -34,15 +34,17 @@ double volume_over_shear(const Material& material, Dimension dimension) {
 
 }  // namespace
 
-std::optional<Warning> warning_of_locking(const Model& model) {
+std::vector<Warning> warnings_of_locking(const Model& model) {
   const bool thin = model.dimension == Dimension::bar || model.dimension == Dimension::plane_stress;
-  if (thin || model.numerics.locking_remedy != "none") return std::nullopt;
+  if (thin || model.numerics.locking_remedy != "none") return {};
+  std::vector<Warning> all;
   const bool smooth = polynomial_degree(model.numerics.shape_functions) > 1;
   for (const Body& body : model.bodies) {
     const Material& material = model.materials[body.material];
     const double ratio = volume_over_shear(material, model.dimension);
     if (ratio <= (smooth ? nearly_incompressible_smooth : nearly_incompressible)) continue;
     Warning warning;
+    warning.name = "locking of " + quoted(body.name);
     warning.particle = body.first_particle;
     bool first = true;
     body.lattice.for_each_point([&](std::int64_t, Vector at) {
@@ -56,9 +58,9 @@ std::optional<Warning> warning_of_locking(const Model& model) {
     warning.remedy = "give numerics.locking_remedy: \"mean_dilatation\"";
     if (is_explicit && !is_total_lagrangian(model.numerics.scheme))
       warning.remedy += " with numerics.scheme: \"TLMPM\" or an implicit analysis";
-    return warning;
+    all.push_back(warning);
   }
-  return std::nullopt;
+  return all;
 }
 
 }  // namespace trajan

@@ -109,10 +109,11 @@ void Simulation::begin_interval() {
 
 /// What looks like a wild particle is often one of a body that has come apart.
 Divergence Simulation::explained(Divergence divergence) {
-  const std::optional<Warning> broken = stepper_ ? std::nullopt : coherence_.check(steps_, divergence.time, true);
-  if (!broken) return divergence;
-  divergence.cause += ": " + broken->cause;
-  divergence.remedy += "; or, since " + broken->remedy;
+  if (stepper_) return divergence;
+  const std::vector<Warning> broken = coherence_.check(steps_, divergence.time, true);
+  if (broken.empty()) return divergence;
+  divergence.cause += ": " + broken[0].cause;
+  divergence.remedy += "; or, since " + broken[0].remedy;
   return divergence;
 }
 
@@ -214,6 +215,7 @@ std::optional<Warning> Simulation::energy_warning() {
   told_of_energy_ = true;
   const Slot fastest = fastest_particle(executor_, grid_axes(model_.dimension));
   Warning warning;
+  warning.name = "energy";
   warning.step = steps_;
   warning.time = time();
   warning.particle = particle_number(model_, executor_, fastest);
@@ -230,14 +232,17 @@ std::optional<Warning> Simulation::energy_warning() {
   return warning;
 }
 
-std::optional<Warning> Simulation::warning() {
+std::vector<Warning> Simulation::warnings() {
+  std::vector<Warning> all;
+  const auto add = [&all](const std::vector<Warning>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (sample_ == 0) {
-    if (std::optional<Warning> doubt = stepper_ ? stepper_->warning() : std::nullopt) return doubt;
-    if (std::optional<Warning> locking = warning_of_locking(model_)) return locking;
-    if (std::optional<Warning> soft = warning_of_soft_supports(model_)) return soft;
+    if (stepper_) add(stepper_->warnings());
+    add(warnings_of_locking(model_));
+    add(warnings_of_soft_supports(model_));
   }
-  if (std::optional<Warning> energy = energy_warning()) return energy;
-  return coherence_.check(steps_, time(), sample_ == model_.outputs.samples);
+  if (std::optional<Warning> energy = energy_warning()) all.push_back(*energy);
+  add(coherence_.check(steps_, time(), sample_ == model_.outputs.samples));
+  return all;
 }
 
 void Simulation::follow_probes() {

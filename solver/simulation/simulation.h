@@ -40,8 +40,8 @@ class Simulation {
   const std::vector<double>& columns() const { return columns_; }
   Snapshot snapshot();
   Checkpoint save();
-  /// Something that has gone wrong since, as far as anybody has looked; each thing is said once.
-  std::optional<Warning> warning();
+  /// What has gone wrong since, as far as anybody has looked; each thing is said once.
+  std::vector<Warning> warnings();
   /// @}
 
   double energy_balance_error() const { return balance_error_; }

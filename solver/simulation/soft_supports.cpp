@@ -22,12 +22,14 @@ bool are_of_a_face(const NodeRegion& nodes, const Grid& grid, int axes) {
 
 }  // namespace
 
-std::optional<Warning> warning_of_soft_supports(const Model& model) {
-  if (!model.numerics.shape_functions.ends_with("bspline")) return std::nullopt;
+std::vector<Warning> warnings_of_soft_supports(const Model& model) {
+  if (!model.numerics.shape_functions.ends_with("bspline")) return {};
+  std::vector<Warning> all;
   for (const BoundaryCondition& condition : model.conditions) {
     const auto* motion = std::get_if<PrescribedMotion>(&condition.kind);
     if (motion == nullptr || are_of_a_face(motion->nodes, model.grid, grid_axes(model.dimension))) continue;
     Warning warning;
+    warning.name = "soft support by " + quoted(condition.name);
     warning.particle = model.bodies[0].first_particle;
     warning.place = model.bodies[0].lattice.point_of(0);
     warning.cause =
@@ -35,9 +37,9 @@ std::optional<Warning> warning_of_soft_supports(const Model& model) {
         " holds nodes within the domain, whose values B-splines do not take: a body that ends there is "
         "held as softly as if it were one to three cells longer";
     warning.remedy = "let the domain begin or end where the body is held, or hold its surface by a hinge";
-    return warning;
+    all.push_back(warning);
   }
-  return std::nullopt;
+  return all;
 }
 
 }  // namespace trajan

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "solver/recorder.h"
@@ -21,7 +20,7 @@ class Stepper {
   /// Appends its own columns of the row of histories.
   virtual void record(std::vector<double>&) const {}
   /// What makes answers doubtful before the first piece of work.
-  virtual std::optional<Warning> warning() const { return std::nullopt; }
+  virtual std::vector<Warning> warnings() const { return {}; }
   /// Adds what it needs to go on from the sample that has just been reached.
   virtual void save(Checkpoint& checkpoint) const = 0;
 };

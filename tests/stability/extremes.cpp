@@ -15,14 +15,18 @@ bool Attempt::says_why() const {
                                              : what.particle >= 0 && what.particle < model->particle_count();
     return what.step >= 0 && has_place && !what.cause.empty() && !what.remedy.empty();
   };
-  return result.divergence ? says(*result.divergence) : result.warning && says(*result.warning);
+  return result.divergence ? says(*result.divergence)
+                           : !result.warnings.empty() && std::ranges::all_of(result.warnings, says);
 }
 
 std::vector<double> Attempt::history(const std::string& column) const {
   const std::size_t index = test::column(*model, column);
   std::vector<double> values;
   for (std::size_t row = 0; row < memory.rows.size(); ++row) {
-    const bool doubtful = result.warning && result.warning->time > 0 && memory.times[row] >= result.warning->time;
+    const auto spoils = [&](const Warning& warning) {
+      return warning.time > 0 && memory.times[row] >= warning.time;
+    };
+    const bool doubtful = std::ranges::any_of(result.warnings, spoils);
     if (row == 0 || !doubtful) values.push_back(memory.rows[row][index]);
   }
   return values;
@@ -39,9 +43,10 @@ Attempt attempt(const Scene& scene, const ModelChange& change) {
   if (change) change(*attempt.model);
   attempt.result = run(*attempt.model, {}, attempt.memory, nullptr);
   const auto tell = [&](const auto& what) {
-    attempt.diagnosis = "at time " + number_text(what.time) + ": " + what.cause + "; " + what.remedy;
+    if (!attempt.diagnosis.empty()) attempt.diagnosis += "; ";
+    attempt.diagnosis += "at time " + number_text(what.time) + ": " + what.cause + "; " + what.remedy;
   };
-  if (attempt.result.warning) tell(*attempt.result.warning);
+  for (const Warning& warning : attempt.result.warnings) tell(warning);
   if (attempt.result.divergence) tell(*attempt.result.divergence);
   return attempt;
 }
@@ -66,7 +71,7 @@ Row judge(const Extreme& extreme) {
   const Attempt tried = attempt(extreme.scene, extreme.change);
   Row row;
   row.diagnosis = tried.diagnosis;
-  const bool doubtful = !tried.finished() || tried.result.warning;
+  const bool doubtful = !tried.finished() || !tried.result.warnings.empty();
   if (doubtful && (!tried.says_why() || row.diagnosis.find(extreme.says) == std::string::npos)) return row;
   if (!tried.finished()) {
     const bool expected = tried.model ? extreme.may_stop
@@ -77,7 +82,7 @@ Row judge(const Extreme& extreme) {
   }
   if (!extreme.figure) return row;
   row.figure = extreme.figure(tried);
-  const bool warned_first = doubtful && tried.result.warning->time == 0;
+  const bool warned_first = !tried.result.warnings.empty() && tried.result.warnings[0].time == 0;
   if (!(std::abs(*row.figure) <= extreme.bound || warned_first) ||
       (doubtful && !extreme.may_stop && !extreme.may_warn))
     return row;

@@ -202,7 +202,7 @@ void keep_promises(const Scene& scene) {
   // Some of these boxes hold no particle, and some functions do not go with some dimensions.
   RC_PRE(run.model.has_value());
   RC_CLASSIFY(run.result.end == RunEnd::diverged, "stopped");
-  RC_CLASSIFY(run.result.warning.has_value(), "warned");
+  RC_CLASSIFY(!run.result.warnings.empty(), "warned");
   // The bits depend neither on threads nor on a restart.
   trial.run_again(3, {});
   RC_ASSERT(same_end(trial.result_again, run.result));
@@ -217,11 +217,11 @@ void keep_promises(const Scene& scene) {
   }
   for (const std::vector<double>& row : run.memory.rows)
     RC_ASSERT(std::ranges::all_of(row, [](double value) { return std::isfinite(value); }));
-  if (run.result.divergence || run.result.warning) RC_ASSERT(run.says_why());
+  if (run.result.divergence || !run.result.warnings.empty()) RC_ASSERT(run.says_why());
   // Rounding, and what nodes of next to no mass lose, in each of some hundred steps.
   RC_ASSERT(momentum_lost(run) < 1e-10);
   if (run.result.divergence) return;
-  RC_ASSERT(run.result.warning || std::ranges::max(run.history("energies.balance_error")) <= 0.02);
+  RC_ASSERT(!run.result.warnings.empty() || std::ranges::max(run.history("energies.balance_error")) <= 0.02);
   const Trial beside(moved(scene));
   RC_ASSERT(beside.first.model.has_value());
   // Rounding of places; a particle that crosses a face a step later makes more.

@@ -93,7 +93,7 @@ Outcome run_scene(const Scene& scene, const SnapshotObserver& observe) {
     throw std::runtime_error(scene.name + " diverged at time " + std::to_string(divergence.time) + ", particle " +
                              std::to_string(divergence.particle) + ": " + divergence.cause);
   }
-  outcome.warning = result.warning;
+  outcome.warnings = result.warnings;
   outcome.measures = evaluate(model, outcome.time, outcome.values);
   return outcome;
 }

@@ -33,7 +33,7 @@ struct Outcome {
   std::vector<double> time;
   std::vector<double> values;  ///< (time.size(), columns.size()) row-major
   std::vector<MeasureValue> measures;
-  std::optional<Warning> warning;
+  std::vector<Warning> warnings;
 
   /// The history of a column. Throws std::out_of_range if there is none of this name.
   std::vector<double> history(std::string_view column) const;

@@ -121,10 +121,15 @@ TEST(Results, TheWriterReadsBackWhatItRecordedAlsoAfterAResume) {
     Plan plan;
     plan.stop_after_row = 17;
     record(*writer, model, plan);
+    writer->warn({"energy", 12, 0.5, 3, {}, "it comes from nowhere", "a smaller step"});
     writer->suspend();
   }
   const auto writer = ResultWriter::open(directory.path(), model, provenance());
   EXPECT_EQ(writer->durable_rows(), 15);
+  // What is said again, with another number, and what does not fit.
+  writer->warn({"energy", 15, 0.75, 4, {}, "it comes from nowhere again", "a smaller step"});
+  writer->warn({"locking", 0, 0, 0, {}, std::string(510, 'a') + "\u00fc and more", "a remedy"});
+  ASSERT_EQ(writer->warnings().size(), 2u);
   record(*writer, model);
   std::vector<double> time, values;
   writer->histories(time, values);
@@ -133,6 +138,15 @@ TEST(Results, TheWriterReadsBackWhatItRecordedAlsoAfterAResume) {
     const std::size_t columns = history_columns(model).size();
     ASSERT_EQ(values[i], column_value(static_cast<std::int64_t>(i / columns), i % columns));
   }
+  writer->finish(Status::succeeded, {}, {});
+  const std::vector<Warning> found = finished_run(directory.path(), provenance())->warnings;
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].cause, "it comes from nowhere");
+  EXPECT_EQ(found[0].step, 12);
+  EXPECT_EQ(found[0].time, 0.5);
+  EXPECT_EQ(found[0].particle, 3);
+  EXPECT_EQ(found[0].remedy, "a smaller step");
+  EXPECT_EQ(found[1].cause, std::string(510, 'a')) << "no half of a character";
 }
 
 TEST(Results, ASuspendedAndResumedRunEqualsAnUndisturbedOne) {

@@ -156,12 +156,29 @@ TEST_F(StoreTest, numbers_events_without_gaps) {
   v1::ReportRequest report;
   report.set_lease_id(lease_id(*take(store, "worker")));
   report.mutable_progress()->set_step(7);
-  report.add_messages("half-way");
+  report.add_warnings()->set_name("energy");
   store.commit([&](Database& database) { record_report(database, report); });
   const auto events = store.read([](Database& database) { return events_after(database, 1, 1, 100); });
   std::vector<std::int64_t> numbers;
   for (const v1::Event& event : events) numbers.push_back(event.sequence());
   EXPECT_THAT(numbers, testing::ElementsAre(2, 3, 4));
+}
+
+TEST_F(StoreTest, keeps_a_warning_of_each_name) {
+  Store store(file());
+  queue(store);
+  v1::ReportRequest report;
+  report.set_lease_id(lease_id(*take(store, "worker")));
+  report.add_warnings()->set_name("energy");
+  for (int i = 0; i < 2; ++i) store.commit([&](Database& database) { record_report(database, report); });
+  v1::CompleteRequest request;
+  request.set_lease_id(report.lease_id());
+  request.mutable_succeeded();
+  for (const char* name : {"energy", "locking"}) request.add_warnings()->set_name(name);
+  store.commit([&](Database& database) { complete(database, request); });
+  const auto is_named = [](const char* name) { return testing::Property(&v1::Warning::name, name); };
+  EXPECT_THAT(look(store, 1).warnings(), testing::ElementsAre(is_named("energy"), is_named("locking")));
+  EXPECT_EQ(look(store, 1).last_sequence(), 5) << "queued, running, two messages, succeeded";
 }
 
 TEST_F(StoreTest, lists_jobs_by_state_and_labels) {

@@ -112,23 +112,27 @@ TEST(Surfaces, OfASingleRowOnFacesOfCellsStopATotalLagrangianRunThatTheyWouldHol
   EXPECT_THAT(result.divergence->remedy, HasSubstr("domain.lower"));
 }
 
-TEST(Supports, OfSplinesWithinTheDomainAreWarnedOf) {
-  const auto warning = [](double lower) {
+TEST(Supports, OfSplinesWithinTheDomainAreWarnedOfBesideOtherThings) {
+  const auto warnings = [](double lower, double poissons_ratio) {
     Scene scene = test::bar("TLMPM", "linear_elastic", 0.5, 0.1);
+    scene.materials = {test::material("linear_elastic", 100, poissons_ratio, 1)};
     scene.numerics.shape_functions = "quadratic_bspline";
+    scene.domain.dimension = Dimension::plane_strain;
     scene.domain.lower.x = lower;
     scene.boundaries[0].nodes = Box{{lower, -2}, {0, 3}};
     scene.analysis.end_time = 0.1;
     const Model model = validate(scene);
     test::Memory memory;
-    return run(model, {}, memory, nullptr).warning;
+    return run(model, {}, memory, nullptr).warnings;
   };
   // Splines begin anew at a face of the domain, and are held there by its nodes.
-  EXPECT_FALSE(warning(0));
-  const std::optional<Warning> soft = warning(-2);
-  ASSERT_TRUE(soft);
-  EXPECT_THAT(soft->cause, HasSubstr("\"left\" holds nodes within the domain"));
-  EXPECT_THAT(soft->remedy, HasSubstr("hinge"));
+  EXPECT_TRUE(warnings(0, 0).empty());
+  const std::vector<Warning> soft = warnings(-2, 0.499);
+  ASSERT_EQ(soft.size(), 2u);
+  EXPECT_EQ(soft[0].name, "locking of \"bar\"");
+  EXPECT_EQ(soft[1].name, "soft support by \"left\"");
+  EXPECT_THAT(soft[1].cause, HasSubstr("\"left\" holds nodes within the domain"));
+  EXPECT_THAT(soft[1].remedy, HasSubstr("hinge"));
 }
 
 TEST(Rest, ThatCannotBeFreedOfItsStressIsDivergence) {

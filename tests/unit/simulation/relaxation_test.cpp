@@ -120,8 +120,8 @@ TEST(Relaxation, WarnsOfWhatRestsThoughNothingHoldsIt) {
   test::Memory memory;
   const RunResult result = run(model, {}, memory, nullptr);
   EXPECT_EQ(result.end, RunEnd::finished);
-  ASSERT_TRUE(result.warning);
-  EXPECT_THAT(result.warning->cause, HasSubstr("body \"upper\" can move freely along (1): nothing holds it"));
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_THAT(result.warnings[0].cause, HasSubstr("body \"upper\" can move freely along (1): nothing holds it"));
 }
 
 TEST(Relaxation, DoesNotWaitForTheLastStepToSaySo) {
