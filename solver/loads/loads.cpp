@@ -1,14 +1,23 @@
 #include "solver/loads/loads.h"
 
+#include <algorithm>
+
 #include "solver/simulation/particles.h"
 
 namespace trajan {
 namespace {
 
-/// USL takes gradients of velocities after forces, and what a load gives to a node that the edge's particles
-/// hardly reach would tear them. Linear functions reach no such nodes where wide ones do.
-const PointFunctions& functions_for(const Numerics& numerics) {
-  return point_functions(numerics.scheme == "USL" ? "linear" : numerics.shape_functions);
+/// Of the heaviest of a stencil's nodes: one with a smaller share would keep what it is given to itself.
+constexpr double least_share = 1e-12;
+
+/// Whether particles see all nodes that a force goes to. Turned domains have no corner in some cells that they
+/// reach.
+bool reaches_mass(const double* mass, const Riders& riders, const Riders::Values& weights) {
+  double most = 0;
+  for (int n = 0; n < riders.corners(); ++n) most = std::max(most, mass[riders.corner(n)]);
+  for (int n = 0; n < riders.corners(); ++n)
+    if (weights[n] != 0 && !(mass[riders.corner(n)] > least_share * most)) return false;
+  return true;
 }
 
 }  // namespace
@@ -17,7 +26,7 @@ Loads::Loads(const Model& model)
     : model_(model), axes_(grid_axes(model.dimension)), fields_(model), factors_(model.surface_loads.size()) {
   for (const SurfaceLoad& load : model.surface_loads) {
     std::vector<SurfacePoint> points(load.points.begin(), load.points.end());
-    riders_.emplace_back(model, std::move(points), load.follows, functions_for(model.numerics));
+    riders_.emplace_back(model, std::move(points), load.follows, point_functions(model.numerics.shape_functions));
   }
 }
 
@@ -50,8 +59,13 @@ void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) const
         const Vector area = riders_[i].area(p);
         force = {-point.pressure * area.x, -point.pressure * area.y, -point.pressure * area.z};
       }
-      const Riders::Stencil s = riders_[i].stencil(tiles, bodies, p);
-      const Riders::Values weights = riders_[i].weights(s, s.of_point);
+      Riders::Stencil s = riders_[i].stencil(tiles, bodies, p, Riders::Of::force);
+      Riders::Values weights = riders_[i].weights(s, s.of_point);
+      const double* mass = tiles.sums(s.tile) + quantity_mass * layout.window_nodes + s.node;
+      if (riders_[i].functions().averaged && !reaches_mass(mass, riders_[i], weights)) {
+        s = riders_[i].stencil(tiles, bodies, p);
+        weights = riders_[i].weights(s, s.of_point);
+      }
       for (int axis = 0; axis < axes_; ++axis) {
         double* sums = &tiles.sums(s.tile)[quantity(sum_load, axis, axes_) * layout.window_nodes + s.node];
         for (int n = 0; n < riders_[i].corners(); ++n)

@@ -44,7 +44,17 @@ bool fits_floats(const Model& model) {
 }
 bool is_odd(std::int64_t cells) { return cells % 2 == 1; }
 
+bool has_bsplines(const Model& model) { return model.numerics.shape_functions.ends_with("bspline"); }
+
 constexpr Exclusion exclusions[] = {
+    {[](const Model& m) {
+       return m.numerics.scheme == "USL" && is_explicit(m) && has_bsplines(m) && !m.surface_loads.empty();
+     },
+     "numerics.scheme",
+     "loads on surfaces reach nodes that B-splines give hardly any mass, whose velocities \"USL\" takes for "
+     "strains: a "
+     "bar's end moves up to a third too far",
+     "choose \"MUSL\", or numerics.shape_functions: \"gimp\" or \"cpdi\""},
     {[](const Model& m) { return has_shapes(m, "bernstein") && !is_total(m); }, "numerics.shape_functions",
      "\"bernstein\" functions have kinks between their elements, which particles must not cross",
      "choose numerics.scheme: \"TLMPM\", in which they never do, or \"quadratic_bspline\""},

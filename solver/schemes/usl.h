@@ -6,9 +6,8 @@ namespace trajan {
 
 /// Updated Lagrangian, stress updated last (Sulsky, Chen and Schreyer 1994). A node that particles hardly
 /// reach has next to no mass but a whole force, and its velocity after the kick would tear them apart: below a
-/// cut-off mass (as Sulsky, Zhou and Schreyer 1995 discuss) the gradient takes the velocity before internal
-/// forces instead, which schemes that update stress first do everywhere (Bardenhagen 2002). Momentum is not
-/// touched.
+/// cut-off mass (as Sulsky, Zhou and Schreyer 1995 discuss) the gradient takes the velocity before the kick
+/// instead, which schemes that update stress first do everywhere (Bardenhagen 2002). Momentum is not touched.
 struct Usl {
   static constexpr std::string_view name = "USL";
   static constexpr bool total_lagrangian = false;

@@ -27,6 +27,23 @@ TileIndex period_in_tiles(const Grid& grid, const Layout& layout) {
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
 constexpr double least_mass_share = 1e-18;
 
+/// What gravity does to all nodes alike it does to those that have been calmed too: their velocities for gradients
+/// take part in the kick by loads, as far as these accelerate whole bodies. A load on a surface is as large on
+/// light nodes as on others.
+void add_gravity_to_calmed(const NodeBlock& block, const std::vector<BodyParticles>& bodies, const Model& model,
+                           int axes) {
+  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  for (int axis = 0; axis < axes; ++axis) {
+    double most = model.surface_loads.empty() ? HUGE_VAL : 0;
+    for (const BodyParticles& body : bodies) most = std::max(most, std::abs(body.constants.acceleration[axis]));
+    const double* load = block.collected->values[quantity(sum_load, axis, axes)];
+    double* w = block.nodes + quantity(node_mapped_velocity, axis, axes) * tile_nodes;
+    for (int i = 0; i < tile_nodes; ++i)
+      if (mass[i] > block.least_mass && mass[i] < block.light_mass)
+        w[i] += block.kick * std::clamp(load[i] / mass[i], -most, most);
+  }
+}
+
 }  // namespace
 
 Executor::Executor(const Model& model, int threads, Filling filling)
@@ -218,6 +235,7 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
   if (light_node > 0) {
     block.light_mass = light_node * lightest_particle_;
     motion_.calm_light_nodes(block);
+    if (!model_.body_loads.empty()) add_gravity_to_calmed(block, bodies_, model_, axes_);
     conditions_.act_on_mapped(tile);
   }
   if (account_.watched()) account_.balance_of_tile(tile) = force_balance(block, axes_);

@@ -36,7 +36,7 @@ class Executor {
   /// @{
   void particles(std::initializer_list<Pass> passes);
   /// Accelerations, and velocities after the kick. With `light_node` velocities for gradients as well: the
-  /// same, but on nodes of less than this share of the lightest particle's mass without internal forces.
+  /// same, but on nodes of less than this share of the lightest particle's mass those before the kick.
   void update_velocities(const StepTimes& times, double light_node = 0);
   /// Velocities for gradients, from momenta that were mapped a second time, or from mass and momentum.
   void map_velocities(bool with_mass = false);

@@ -128,8 +128,8 @@ Riders::Values Riders::product(const Stencil& stencil, const double (&place)[3],
   return values;
 }
 
-Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
-                                std::size_t p) const {
+Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p,
+                                Of of) const {
   const Tile& tile = tiles.tiles()[tiles_[p]];
   const Layout& layout = tiles.layout();
   const BodyParticles& body = bodies[carriers_[p].body];
@@ -152,7 +152,8 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
     // Nodes exist around the cells in which the tile's particles may be.
     const double lowest = tile.cells.lowest[axis] + layout.below - 1;
     const double highest = tile.cells.highest[axis] + layout.below - 1e-9;
-    const double inner = carrier + component(inward_[p], axis);
+    const double reach = of == Of::force && functions_.averaged ? body.constants.half_size[axis] : 0;
+    const double inner = carrier + std::clamp(point - carrier, -reach, reach) + component(inward_[p], axis);
     int node = functions_.first_node(std::max(lowest, std::min(inner, highest)));
     const auto cells = static_cast<double>(model_.grid.cells()[static_cast<std::size_t>(axis)]);
     if (to_faces && period == 0) node = SplineFaces{-first, cells - first}.inside(node, functions_);

@@ -69,7 +69,11 @@ class Riders {
     double of_carrier[3] = {}, of_point[3] = {};
     int below[3] = {}, above[3] = {};  ///< nodes beyond a face of the domain; less than 0: up to the face
   };
-  Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p) const;
+  /// A force meets internal ones, which a particle gives to all nodes that its domain reaches: its stencil is
+  /// where the domain ends. Velocities are those of the carrier's place.
+  enum class Of { velocity, force };
+  Stencil stencil(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p,
+                  Of of = Of::velocity) const;
   /// One value for each of the first corners() nodes, x fastest.
   using Values = std::array<double, most_nodes_along * most_nodes_along * most_nodes_along>;
   /// Shape functions at a place in a stencil.

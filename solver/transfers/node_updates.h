@@ -72,19 +72,18 @@ inline void map_velocities(NodeBlock& block) {
 }
 
 /// Velocities for gradients where momentum is not mapped a second time: those of the nodes, but on a node that
-/// particles hardly reach only with what loads have done to it: internal forces, and reactions that hold these,
-/// are as large there as on others. To be called once velocities are final.
+/// particles hardly reach those before the kick: forces are as large there as on others. To be called once
+/// velocities are final.
 template <int D>
 inline void calm_light_nodes(NodeBlock& block) {
   const double* mass = block.nodes + quantity_mass * tile_nodes;
   for (int axis = 0; axis < D; ++axis) {
-    const double* load = block.collected->values[quantity(sum_load, axis, D)];
     const double* a = block.nodes + quantity(node_acceleration, axis, D) * tile_nodes;
     const double* u = block.nodes + quantity(node_velocity, axis, D) * tile_nodes;
     double* w = block.nodes + quantity(node_mapped_velocity, axis, D) * tile_nodes;
     for (int i = 0; i < tile_nodes; ++i) {
       const bool light = mass[i] > block.least_mass && mass[i] < block.light_mass;
-      w[i] = light ? u[i] - block.kick * (a[i] - load[i] / mass[i]) : u[i];
+      w[i] = light ? u[i] - block.kick * a[i] : u[i];
     }
   }
 }

@@ -19,7 +19,7 @@ Scene spinning(const std::string& scheme, bool follows, double cell) {
   Scene scene = block(8000);
   scene.numerics.scheme = scheme;
   // Without kinks, which crossing of cells would make felt.
-  if (scheme != "TLMPM") scene.numerics.shape_functions = "quadratic_bspline";
+  if (scheme != "TLMPM") scene.numerics.shape_functions = scheme == "USL" ? "cpdi" : "quadratic_bspline";
   scene.domain.lower = {-4, -4};
   scene.domain.cell_size = cell;
   scene.bodies[0].geometry = Box{{-1, -0.5}, {1, 0.5}};

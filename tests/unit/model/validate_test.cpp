@@ -199,6 +199,12 @@ const std::vector<Mistake> numerics = {
     {"EndTimeThatCannotBeDivided", [](Scene& s) { s.analysis.end_time = 5e-324; }, "analysis.end_time",
      "too short"},
     {"NegativeDamping", [](Scene& s) { s.analysis.damping = -1; }, "analysis.damping", "not negative"},
+    {"SurfaceLoadsOnSplinesByUsl",
+     [](Scene& s) {
+       s.numerics.scheme = "USL";
+       s.numerics.shape_functions = "cubic_bspline";
+     },
+     "numerics.scheme", "hardly any mass", "\"MUSL\""},
     {"UnknownScheme", [](Scene& s) { s.numerics.scheme = "tlmpn"; }, "numerics.scheme", "no scheme \"tlmpn\"",
      "did you mean \"TLMPM\"?"},
     {"UnknownShapeFunctions", [](Scene& s) { s.numerics.shape_functions = "cubic"; }, "numerics.shape_functions",
