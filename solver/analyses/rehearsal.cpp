@@ -46,13 +46,6 @@ void plan_particles(const Model& model, const Executor& executor, ModelPlan& pla
   want(plan.attributes, "number", sizeof(std::uint32_t), "outputs");
 }
 
-TileIndex tiles_of_period(const Tiles& tiles) {
-  TileIndex period{};
-  for (int axis = 0; axis < tiles.layout().dimensions; ++axis)
-    period[static_cast<std::size_t>(axis)] = tiles.period(axis) / tiles.layout().side;
-  return period;
-}
-
 /// Quantities of a node, in the order in which tiles have them, and of the sums that particles scatter.
 void plan_nodes(const Model& model, const Executor& executor, ModelPlan& plan) {
   constexpr const char* vectors[] = {"acceleration", "velocity", "mapped_velocity", "remainder",
@@ -86,7 +79,7 @@ PlannedTiles plan_tiles(const Model& model, const Tiles& tiles, ModelPlan& plan)
   }
   const std::vector<OccupiedTile> occupied = occupied_tiles(model, tiles);
   // Tiles whose nodes hold nothing cost no memory here, however large the model is.
-  Tiles bare(tiles.layout(), 0, 0, tiles_of_period(tiles));
+  Tiles bare(tiles.layout(), 0, 0, tiles.period());
   bare.rebuild(occupied, {}, std::vector<std::uint32_t>(occupied.size(), 0));
   plan.tiles = static_cast<std::int64_t>(bare.tiles().size());
   plan.occupied_tiles = static_cast<std::int64_t>(occupied.size());

@@ -97,6 +97,29 @@ void for_each_node_near(const Layout& layout, const Components& place, std::uint
       }
 }
 
+/// Calls of(place, in cells from the tile's first node) for a particle and, where the grid repeats itself, all
+/// images of it that are near nodes in a range.
+template <class Of>
+void for_each_image(const Layout& layout, const SweepConstants& sweep, const Tile& tile, const Range& range,
+                    const BodyParticles& body, std::size_t particle, Of&& of) {
+  Components first{};
+  int count[3] = {1, 1, 1};
+  for (int axis = 0; axis < layout.dimensions; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const double x = body.component(Attribute::position_x, axis)[particle], period = sweep.period[axis];
+    const double lowest = range.first[a] - nearby, highest = range.last[a] + nearby;
+    double at = (x - sweep.origin[axis]) * sweep.inverse_cell - layout.side * static_cast<double>(tile.at[axis]);
+    if (period > 0) at += period * std::ceil((lowest - at) / period);
+    if (at < lowest || at > highest) return;
+    if (period > 0) count[axis] += static_cast<int>((highest - at) / period);
+    first[a] = at;
+  }
+  for (int k = 0; k < count[2]; ++k)
+    for (int j = 0; j < count[1]; ++j)
+      for (int i = 0; i < count[0]; ++i)
+        of({first[0] + i * sweep.period[0], first[1] + j * sweep.period[1], first[2] + k * sweep.period[2]});
+}
+
 }  // namespace
 
 Components product(const Ellipsoid& e, const Components& v) {
@@ -109,41 +132,27 @@ void find_nearby(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
                  std::uint64_t nodes, std::vector<NearbyParticles*>& near) {
   const Layout& layout = tiles.layout();
   const Range range = range_of(layout, nodes);
-  for (int n = 0; n < layout.neighbours; ++n) {
-    if (tile.around[n] < 0) continue;
-    const Tile& other = tiles.tiles()[static_cast<std::size_t>(tile.around[n])];
+  tiles.for_each_around(tile, [&](const Tile& other) {
     for (std::uint32_t b = other.first_block; b < other.last_block; ++b) {
       const BlockRange& block = tiles.blocks()[b];
       const BodyParticles& body = bodies[block.body];
-      for (std::uint32_t i = block.begin; i < block.begin + block.count; ++i) {
-        Components place{};
-        bool is_near = true;
-        for (int axis = 0; axis < layout.dimensions && is_near; ++axis) {
-          const auto a = static_cast<std::size_t>(axis);
-          const double x = body.component(Attribute::position_x, axis)[i];
-          double at =
-              (x - sweep.origin[axis]) * sweep.inverse_cell - layout.side * static_cast<double>(tile.at[axis]);
-          if (sweep.period[axis] > 0)
-            at -= sweep.period[axis] * std::round((at - 0.5 * layout.side) / sweep.period[axis]);
-          is_near = at >= range.first[a] - nearby && at <= range.last[a] + nearby;
-          place[a] = at;
-        }
-        if (!is_near) continue;
-        const Matrix gradient = deformation_of(layout.dimensions, body, i);
-        const Ellipsoid ellipsoid = ellipsoid_of(layout.dimensions, body, gradient);
-        for_each_node_near(layout, place, nodes, near, [&](NearbyParticles& of_node, const Components& from) {
-          of_node.add(from, ellipsoid);
+      for (std::uint32_t i = block.begin; i < block.begin + block.count; ++i)
+        for_each_image(layout, sweep, tile, range, body, i, [&](const Components& place) {
+          const Matrix gradient = deformation_of(layout.dimensions, body, i);
+          const Ellipsoid ellipsoid = ellipsoid_of(layout.dimensions, body, gradient);
+          for_each_node_near(layout, place, nodes, near, [&](NearbyParticles& of_node, const Components& from) {
+            of_node.add(from, ellipsoid);
+          });
+          for (const BoundaryPoint& point : surfaces[block.body].of(body.number[i])) {
+            const NearbyBoundary boundary = moved(point, gradient, place);
+            for_each_node_near(layout, boundary.place, nodes, near,
+                               [&](NearbyParticles& of_node, const Components& from) {
+                                 of_node.boundary.push_back({from, boundary.normal});
+                               });
+          }
         });
-        for (const BoundaryPoint& point : surfaces[block.body].of(body.number[i])) {
-          const NearbyBoundary boundary = moved(point, gradient, place);
-          for_each_node_near(layout, boundary.place, nodes, near,
-                             [&](NearbyParticles& of_node, const Components& from) {
-                               of_node.boundary.push_back({from, boundary.normal});
-                             });
-        }
-      }
     }
-  }
+  });
 }
 
 double reach(const NearbyParticles& near, const Components& along) {

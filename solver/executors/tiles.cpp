@@ -15,30 +15,41 @@ bool tile_before(const Tile& a, const Tile& b) { return a.at != b.at ? before(a.
 
 }  // namespace
 
+CellRange Tiles::nodes_reached(const CellRange& cells) const {
+  // Cell c of the window has the tile's nodes c - 1 and c; wide functions reach one node further.
+  const int reach = layout_.wide ? 1 : 0;
+  CellRange nodes;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout_.dimensions); ++axis) {
+    nodes.lowest[axis] = cells.lowest[axis] - 1 - reach;
+    nodes.highest[axis] = cells.highest[axis] + reach;
+  }
+  return nodes;
+}
+
 /// Adds the tiles that own nodes of an occupied tile's window which its particles can reach.
 void Tiles::add_reached(const OccupiedTile& tile) {
+  const CellRange nodes = nodes_reached(tile.cells);
   TileIndex down{}, up{};
-  for (int axis = 0; axis < layout_.dimensions; ++axis) {
-    // Cell c of the window has the tile's nodes c - 1 and c; wide functions reach one node further.
-    const int reach = layout_.wide ? 1 : 0;
-    down[axis] = tile.cells.lowest[axis] - 1 - reach < 0 ? -1 : 0;
-    up[axis] = tile.cells.highest[axis] + reach >= layout_.side ? 1 : 0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout_.dimensions); ++axis) {
+    down[axis] = nodes.lowest[axis] < 0 ? -1 : 0;
+    up[axis] = nodes.highest[axis] >= layout_.side ? 1 : 0;
   }
   for (int z = down[2]; z <= up[2]; ++z)
     for (int y = down[1]; y <= up[1]; ++y)
       for (int x = down[0]; x <= up[0]; ++x) {
         Tile reached;
         reached.field = tile.field;
-        reached.at = wrapped({tile.at[0] + x, tile.at[1] + y, tile.at[2] + z});
+        reached.at = {tile.at[0] + x, tile.at[1] + y, tile.at[2] + z};
         tiles_.push_back(reached);
       }
+  if (period_.has_images(layout_, tile.at, nodes)) add_originals(tile);
 }
 
 void Tiles::find_neighbours(Tile& tile) const {
   for (int n = 0; n < layout_.neighbours; ++n) {
     TileIndex at = tile.at;
     for (int axis = 0, rest = n; axis < layout_.dimensions; ++axis, rest /= 3) at[axis] += rest % 3 - 1;
-    tile.around[n] = find(wrapped(at), tile.field);
+    tile.around[n] = find(at, tile.field);
   }
 }
 
@@ -62,9 +73,14 @@ void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRan
     tile.last_block = block;
   }
   for (Tile& tile : tiles_) find_neighbours(tile);
+  windows_ = occupied.size();
+  if (period_.any()) {
+    find_folded();
+    find_copied();
+  }
 
   nodes_.assign(tiles_.size() * node_size(), 0.0);
-  sums_.assign(occupied.size() * window_size(), 0.0);
+  sums_.assign(windows_ * window_size(), 0.0);
   nothing_.assign(std::max(node_size(), window_size()), 0.0);
 }
 
@@ -82,12 +98,6 @@ Neighbours Tiles::sums_around(const Tile& tile) const {
     around[n] = other && other->window >= 0 ? sums_.data() + window(*other) : nothing_.data();
   }
   return around;
-}
-
-TileIndex Tiles::wrapped(TileIndex at) const {
-  for (std::size_t axis = 0; axis < at.size(); ++axis)
-    if (period_[axis] > 0) at[axis] = (at[axis] % period_[axis] + period_[axis]) % period_[axis];
-  return at;
 }
 
 std::int32_t Tiles::find(const TileIndex& at, std::uint32_t field) const {
@@ -121,6 +131,7 @@ std::vector<std::size_t> Tiles::shares(int threads) const {
 
 std::size_t Tiles::memory() const {
   return tiles_.capacity() * sizeof(Tile) + blocks_.capacity() * sizeof(BlockRange) +
+         (folded_.all.capacity() + copied_.all.capacity()) * sizeof(NodeImage) +
          (nodes_.capacity() + sums_.capacity() + nothing_.capacity()) * sizeof(double);
 }
 

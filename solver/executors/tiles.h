@@ -7,17 +7,9 @@
 
 #include "solver/executors/aligned.h"
 #include "solver/executors/layout.h"
+#include "solver/executors/node_images.h"
 
 namespace trajan {
-
-/// Along x, y and z; axes that the grid lacks are 0.
-using TileIndex = std::array<std::int32_t, 3>;
-
-/// Cells of a window along each axis, both ends included.
-struct CellRange {
-  TileIndex lowest{}, highest{};
-  auto operator<=>(const CellRange&) const = default;
-};
 
 /// Consecutive particles of one body, all in one tile.
 struct BlockRange {
@@ -40,7 +32,7 @@ struct Tile {
   /// Indices of the field's tiles around, x fastest, the tile itself in the middle; -1: does not exist.
   std::array<std::int32_t, most_neighbours> around{};
   CellRange cells;
-  std::int32_t window = -1;                       ///< index of its sums; -1: no particles
+  std::int32_t window = -1;                       ///< index of its sums; -1: nothing is given to it
   std::uint32_t first_block = 0, last_block = 0;  ///< half-open
 };
 
@@ -53,9 +45,8 @@ using Neighbours = std::array<const double*, most_neighbours>;
 /// same place follow each other.
 class Tiles {
  public:
-  /// `node_quantities`: how many arrays a tile's nodes have; `sum_quantities`: how many a window has;
-  /// `period`: tiles after which the grid repeats itself along an axis, 0: it does not.
-  Tiles(const Layout& layout, int node_quantities, int sum_quantities, const TileIndex& period = {})
+  /// `node_quantities`: how many arrays a tile's nodes have; `sum_quantities`: how many a window has.
+  Tiles(const Layout& layout, int node_quantities, int sum_quantities, const Period& period = {})
       : layout_(layout), node_quantities_(node_quantities), sum_quantities_(sum_quantities), period_(period) {}
 
   /// `occupied` in order; `blocks` in the order of their tiles, `blocks_of[i]` the number of those of
@@ -65,19 +56,48 @@ class Tiles {
 
   const Layout& layout() const { return layout_; }
   /// Cells after which the grid repeats itself along an axis; 0: it does not.
-  int period(int axis) const { return period_[axis] * layout_.side; }
+  int period(int axis) const { return period_.cells[static_cast<std::size_t>(axis)]; }
+  const Period& period() const { return period_; }
   std::span<const Tile> tiles() const { return tiles_; }
   std::span<const BlockRange> blocks() const { return blocks_; }
   int sum_quantities() const { return sum_quantities_; }
   double* nodes(std::size_t tile) { return nodes_.data() + tile * node_size(); }
   const double* nodes(std::size_t tile) const { return nodes_.data() + tile * node_size(); }
-  /// Only of a tile that has particles.
+  /// Only of a tile that has a window.
   double* sums(std::size_t tile) { return sums_.data() + window(tiles_[tile]); }
   /// Of the tiles around, zeros where there is none.
   Neighbours nodes_around(const Tile& tile) const;
   Neighbours sums_around(const Tile& tile) const;
-  /// The tile that stands for one which the grid repeats.
-  TileIndex wrapped(TileIndex at) const;
+  /// \name Of a periodic grid. Tiles may be given in any order, and at the same time.
+  /// @{
+  /// Moves what windows hold of images of the tile's nodes to the nodes' own sums.
+  void fold_images(std::size_t tile);
+  /// Gives images in the tile the values of their nodes.
+  void copy_to_images(std::size_t tile);
+  /// Which tile (-1: it does not exist), and which of its nodes.
+  struct Owner {
+    std::int32_t tile;
+    int node;
+  };
+  /// Of a node, counted from a tile's first one, or of the one that it is an image of.
+  Owner owner(const Tile& tile, const TileIndex& node) const;
+  /// @}
+  /// Calls of(tile) for the field's tiles whose nodes, or images of them, lie in a tile or in its neighbours.
+  template <class Of>
+  void for_each_around(const Tile& tile, Of&& of) const {
+    if (!period_.any()) {
+      for (int n = 0; n < layout_.neighbours; ++n)
+        if (tile.around[n] >= 0) of(tiles_[static_cast<std::size_t>(tile.around[n])]);
+      return;
+    }
+    TilesAlong along[3] = {{{}, 1}, {{}, 1}, {{}, 1}};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout_.dimensions); ++axis)
+      along[axis] = period_.originals(layout_, tile.at, axis, -layout_.side, 2 * layout_.side - 1);
+    for (const std::int32_t z : along[2])
+      for (const std::int32_t y : along[1])
+        for (const std::int32_t x : along[0])
+          if (const std::int32_t t = find({x, y, z}, tile.field); t >= 0) of(tiles_[static_cast<std::size_t>(t)]);
+  }
   /// Index of a tile, -1 if it does not exist.
   std::int32_t find(const TileIndex& at, std::uint32_t field = 0) const;
   /// Contiguous shares of the tiles for `threads` threads, of about equal work: threads + 1 bounds.
@@ -89,15 +109,23 @@ class Tiles {
   std::size_t window_size() const { return static_cast<std::size_t>(sum_quantities_ * layout_.window_nodes); }
   std::size_t window(const Tile& tile) const { return static_cast<std::size_t>(tile.window) * window_size(); }
   void add_reached(const OccupiedTile& tile);
+  void add_originals(const OccupiedTile& tile);
   void find_neighbours(Tile& tile) const;
+  /// Nodes that particles in these cells of a window see, counted from the tile's first one.
+  CellRange nodes_reached(const CellRange& cells) const;
+  void find_folded();
+  void find_copied();
 
   Layout layout_;
   int node_quantities_, sum_quantities_;
-  TileIndex period_;
+  Period period_;
   std::vector<Tile> tiles_;
   std::vector<BlockRange> blocks_;
   AlignedDoubles nodes_, sums_;
-  AlignedDoubles nothing_;  ///< values of a tile that does not exist
+  AlignedDoubles nothing_;   ///< values of a tile that does not exist
+  std::size_t windows_ = 0;  ///< of tiles that have particles, or nodes with images in such windows
+  NodeImages folded_;        ///< places in sums_, by the nodes' tiles
+  NodeImages copied_;        ///< places in nodes_, by the images' tiles
 };
 
 }  // namespace trajan

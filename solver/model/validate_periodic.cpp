@@ -1,11 +1,16 @@
 #include <cmath>
 
-#include "solver/executors/layout.h"
 #include "solver/model/names.h"
 #include "solver/model/surfaces.h"
 #include "solver/model/validator.h"
 
 namespace trajan {
+namespace {
+
+/// Cells, so that no particle sees a node twice.
+constexpr double least_period = 4;
+
+}  // namespace
 
 void Validator::check_periods() {
   for (std::size_t i = 0; i < scene_.boundaries.size() && scene_.boundaries.size() <= most_entries; ++i)
@@ -27,14 +32,13 @@ void Validator::check_period(const std::string& path, Axis axis) {
   }
   const Vector &from = scene_.domain.lower, &to = scene_.domain.upper;
   const double extents[] = {to.x - from.x, to.y - from.y, to.z - from.z};
-  const double cell = model_.grid.cell, cells = extents[along] / cell, side = Layout(axes(), false).side;
-  const double tiles = std::max(1.0, std::round(cells / side));
-  if (std::abs(cells - tiles * side) > node_tolerance * cells) {
+  const double cell = model_.grid.cell, cells = extents[along] / cell;
+  const double whole = std::max(least_period, std::round(cells));
+  if (std::abs(cells - whole) > node_tolerance * cells) {
     violations_.add("domain.upper." + name, number_text(cells) + " cells",
-                    "a periodic axis of this dimension needs a multiple of " + number_text(side) + " cells",
-                    "give domain.lower." + name + " + " + number_text(tiles * side * cell) + " (" +
-                        number_text(tiles * side) + " cells), or cell_size " +
-                        number_text(extents[along] / (tiles * side)));
+                    "a periodic axis needs a whole number of cells, at least " + number_text(least_period),
+                    "give domain.lower." + name + " + " + number_text(whole * cell) + " (" + number_text(whole) +
+                        " cells), or cell_size " + number_text(extents[along] / whole));
     return;
   }
   model_.grid.periodic[static_cast<std::size_t>(along)] = true;

@@ -18,7 +18,7 @@ std::string array_name(std::size_t body, std::string_view what) {
 std::vector<std::int32_t> pack(const Tiles& tiles) {
   std::vector<std::int32_t> packed;
   for (const Tile& tile : tiles.tiles()) {
-    if (tile.window < 0) continue;
+    if (tile.first_block == tile.last_block) continue;
     for (const TileIndex& part : {tile.at, tile.cells.lowest, tile.cells.highest})
       packed.insert(packed.end(), part.begin(), part.end());
     packed.push_back(static_cast<std::int32_t>(tile.last_block - tile.first_block));

@@ -17,10 +17,10 @@ const TransferKernels& choose(const Transfer& transfer, const TransferKernels& k
   return transfer.general && kernels.general ? *kernels.general : kernels;
 }
 
-TileIndex period_in_tiles(const Grid& grid, const Layout& layout) {
-  TileIndex period{};
-  for (std::size_t axis = 0; axis < period.size(); ++axis)
-    if (grid.periodic[axis]) period[axis] = static_cast<std::int32_t>(grid.cells()[axis] / layout.side);
+Period period_of(const Grid& grid) {
+  Period period;
+  for (std::size_t axis = 0; axis < period.cells.size(); ++axis)
+    if (grid.periodic[axis]) period.cells[axis] = static_cast<std::int32_t>(grid.cells()[axis]);
   return period;
 }
 
@@ -60,7 +60,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
       contacts_(model, threads),
       loads_(model),
       tiles_(transfer_.layout, node_quantities(), quantities(loads_.none() ? sum_load : sum_vectors, axes_),
-             period_in_tiles(model.grid, transfer_.layout)),
+             period_of(model.grid)),
       sweeps_(model, transfer_kind_, transfer_, tiles_.sum_quantities()),
       shares_(static_cast<std::size_t>(threads) + 1, 0),
       account_(model) {
@@ -250,7 +250,10 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   // Forces spread from where loads act; to look now and then finds them before half of the run is over.
   looks_for_unborne_forces_ =
       std::has_single_bit(static_cast<std::uint64_t>(times.step)) && has_kinks_at_rest(model_);
-  if (!rehearsal_) kick_nodes(light_node);
+  if (!rehearsal_) {
+    kick_nodes(light_node);
+    copy_to_images();
+  }
   if (unborne_forces_)
     diverge(
         "particles at a body's surface lie exactly on faces of cells: nodes beyond them have a share of their "
@@ -264,6 +267,7 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
 
 void Executor::kick_nodes(double light_node) {
   loads_.add_to(tiles_, bodies_);
+  fold_images();
   const bool complete_at_once = in_one_pass();
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
@@ -290,6 +294,7 @@ void Executor::kick_nodes(double light_node) {
 void Executor::map_velocities(bool with_mass) {
   finish();
   if (rehearsal_) return;
+  fold_images();
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     block.collect_mass = with_mass;
@@ -299,6 +304,15 @@ void Executor::map_velocities(bool with_mass) {
   if (with_mass) contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
   contacts_.act_on(pool_, tiles_, conditions_.held(), node_mapped_velocity);
   conditions_.act_on_mapped_surfaces(bodies_, tiles_, with_mass);
+  copy_to_images();
+}
+
+void Executor::fold_images() {
+  if (tiles_.period().any()) for_each_tile([&](std::size_t tile, std::size_t) { tiles_.fold_images(tile); });
+}
+
+void Executor::copy_to_images() {
+  if (tiles_.period().any()) for_each_tile([&](std::size_t tile, std::size_t) { tiles_.copy_to_images(tile); });
 }
 
 }  // namespace trajan

@@ -21,10 +21,10 @@
 
 namespace trajan {
 
-/// Runs a scheme's passes over particles and grid. Passes over particles are only noted; when the grid or
-/// somebody else needs what they give, the whole chain of them runs on one block after the other, so that
-/// the particles are read from memory once per chain, across the ends of steps too. Nothing that is
-/// computed depends on where chains are cut or on the number of threads.
+/// Runs a scheme's passes over particles and grid. Passes over particles are only noted; when somebody needs what
+/// they give, the whole chain of them runs on one block after the other, so that particles are read from memory
+/// once per chain, across the ends of steps too. Nothing depends on where chains are cut or on the number of
+/// threads.
 class Executor {
  public:
   /// With `nothing` in its bodies it only finds out which sweeps its passes make.
@@ -101,10 +101,10 @@ class Executor {
   void prepare(const StepTimes& times);
   NodeBlock node_block(std::size_t tile, std::size_t thread);
   void kick_nodes(double light_node);
+  void fold_images(), copy_to_images();  ///< of all tiles
   /// What follows once a tile's velocities are final.
   void complete(NodeBlock& block, std::size_t tile, double light_node);
-  /// What the transfer iterates on after the nodes' velocities have been updated. Velocities for gradients
-  /// of nodes of less mass are left alone.
+  /// What the transfer iterates on when nodes have velocities. Those for gradients stay on nodes of less mass.
   void project(const Projection& projection, double light_mass);
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;

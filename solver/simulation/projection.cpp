@@ -49,6 +49,7 @@ void Executor::project(const Projection& projection, double light_mass) {
   for (int term = 1; term < order; ++term) {
     static constexpr Pass exchange[] = {Pass::locate, Pass::remap};
     run(exchange);
+    fold_images();
     for_each_tile([&](std::size_t index, std::size_t thread) {
       NodeBlock block = node_block(index, thread);
       transfer_.reduce_remainder(block);
@@ -56,11 +57,13 @@ void Executor::project(const Projection& projection, double light_mass) {
       for (NodeVector into : projection.into)
         add_remainder({block.nodes, axes_}, into, into == node_mapped_velocity ? light_mass : 0);
     });
+    copy_to_images();
   }
   // Further terms may make what touches come closer.
   for (NodeVector into : projection.into)
     if (into == node_velocity || into == node_mapped_velocity)
       contacts_.act_on(pool_, tiles_, conditions_.held(), into);
+  copy_to_images();
 }
 
 }  // namespace trajan

@@ -53,14 +53,17 @@ class PlaceFinder {
     Found found;
     for (int axis = layout.dimensions - 1; axis >= 0; --axis) {
       double x = (position[axis] - origin_[axis]) * inverse_cell_;
-      if (const int period = tiles_.period(axis); period > 0) x -= period * std::floor(x / period);
+      if (const int period = tiles_.period(axis); period > 0) {
+        x -= period * std::floor(x / period);
+        // Rounding.
+        if (x >= period) x = 0;
+      }
       const auto i = static_cast<std::int32_t>(std::floor(x));
       found.tile[axis] = i >> layout.tile_bits;
       const std::int32_t in_tile = i & (layout.side - 1);
       found.cell[axis] = in_tile + 1;
       found.bin = found.bin * bins_along_ + in_tile + (x - i >= 1 - shift_);
     }
-    found.tile = tiles_.wrapped(found.tile);
     return found;
   }
 

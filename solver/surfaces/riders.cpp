@@ -172,11 +172,17 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
 
 Riders::Owner Riders::owner(const Tiles& tiles, std::uint32_t tile, int window_node) const {
   const Layout& layout = tiles.layout();
+  TileIndex from_first{};
   int neighbour = 0, node = 0, power = 1;
   for (int axis = 0; axis < axes_; ++axis, power *= 3) {
     const int i = window_node / layout.window_stride(axis) % layout.window_side - layout.below;
+    from_first[static_cast<std::size_t>(axis)] = i;
     neighbour += (i + layout.side) / layout.side * power;
     node += (i & (layout.side - 1)) * layout.tile_stride(axis);
+  }
+  if (tiles.period().any()) {
+    const Tiles::Owner owner = tiles.owner(tiles.tiles()[tile], from_first);
+    return {static_cast<std::uint32_t>(owner.tile), owner.node};
   }
   return {static_cast<std::uint32_t>(tiles.tiles()[tile].around[neighbour]), node};
 }

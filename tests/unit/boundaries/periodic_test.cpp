@@ -39,16 +39,16 @@ BoundaryDefinition periodic(Axis axis) {
   return {"periodic_" + std::to_string(static_cast<int>(axis)), {}, Periodic{axis}};
 }
 
-/// A body that fills its domain, of length 1 along the axis that is periodic. Across it is narrow, and periodic as
-/// well or held by a wall.
-Scene ring(const RingCase& of, int cells) {
+/// A body that fills its domain along the axis that is periodic. Across it is narrow, and periodic as well or held
+/// by a wall.
+Scene ring(const RingCase& of, int cells, double length = 1) {
   const bool hoop = of.dimension == Dimension::axisymmetric;
   const int axes = grid_axes(of.dimension);
-  const double cell = 1.0 / cells, width = (axes == 3 ? 4 : 8) * cell;
+  const double cell = length / cells, width = (axes == 3 ? 4 : 10) * cell;
   Scene scene;
   scene.name = "ring";
   scene.domain.dimension = of.dimension;
-  scene.domain.upper = hoop ? Vector{width, 1} : Vector{1, axes > 1 ? width : 0, axes > 2 ? width : 0};
+  scene.domain.upper = hoop ? Vector{width, length} : Vector{length, axes > 1 ? width : 0, axes > 2 ? width : 0};
   scene.domain.cell_size = cell;
   scene.materials = {test::material("linear_elastic", 1, 0, 1)};
   scene.bodies = {{"ring", "solid", Box{{}, scene.domain.upper}, 2, {}}};
@@ -66,7 +66,8 @@ Scene ring(const RingCase& of, int cells) {
 class Ring : public testing::TestWithParam<RingCase> {
  protected:
   int axes() const { return grid_axes(GetParam().dimension); }
-  int coarse() const { return GetParam().dimension == Dimension::bar ? 64 : 16; }
+  /// Cells of the length: none that fills whole tiles of the grid.
+  int coarse() const { return GetParam().dimension == Dimension::bar ? 70 : 18; }
   std::size_t axis() const { return GetParam().dimension == Dimension::axisymmetric ? 1 : 0; }
   void set_velocity(Scene& scene, const std::string& formula) const {
     (axis() == 1 ? scene.bodies[0].initial_velocity.y : scene.bodies[0].initial_velocity.x) = formula;
@@ -105,7 +106,8 @@ TEST_P(Ring, LetsAWaveRunAroundAsDAlembertSays) {
 }
 
 TEST_P(Ring, StaysAtRestUnderItsOwnStress) {
-  Scene scene = ring(GetParam(), coarse());
+  // Cells of 1/64, so that nothing is rounded at first: a stress as large as the modulus makes rounding grow.
+  Scene scene = ring(GetParam(), coarse(), coarse() / 64.0);
   scene.bodies[0].initial_stress.components[axis()] = "1";
   scene.analysis.end_time = 1;
   const Histories run(scene);
@@ -116,36 +118,39 @@ TEST_P(Ring, StaysAtRestUnderItsOwnStress) {
 TEST_P(Ring, TurnsManyTimesWithoutANotice) {
   Scene scene = ring(GetParam(), coarse());
   set_velocity(scene, "7");
-  scene.analysis.end_time = 2;
+  scene.analysis.end_time = 1;
   scene.numerics.time_step = 0.05 / coarse();
   const Histories run(scene);
   const Snapshot &first = run.memory.snapshots.front(), &last = run.memory.snapshots.back();
-  // Each step rounds positions of up to 15; see also the free flight of the conformance tests.
-  const double rounding = 16 * epsilon * run.steps();
+  // Each step rounds positions of up to 8; see also the free flight of the conformance tests.
+  const double rounding = 8 * epsilon * run.steps();
   for (std::size_t i = 0; i < last.position.size(); ++i) {
     const bool moves = i % static_cast<std::size_t>(axes()) == axis();
-    EXPECT_NEAR(last.position[i], first.position[i] + (moves ? 14 : 0), 14 * rounding);
+    EXPECT_NEAR(last.position[i], first.position[i] + (moves ? 7 : 0), 7 * rounding);
     EXPECT_NEAR(last.velocity[i], moves ? 7 : 0, 7 * rounding);
   }
 }
 
 /// What happens to one body in a wide domain, and to the same body cut in two by the faces of a periodic one
-/// that is 4 long.
+/// that is 13 cells long.
 struct Split {
   std::string name, scheme, shape;
   std::vector<BoundaryDefinition> wide, periodic;
 };
 std::ostream& operator<<(std::ostream& out, const Split& split) { return out << split.name; }
 
+constexpr double period = 3.25;
+
 Scene split_block(const Split& split, bool cut) {
   Scene scene = test::block(100);
   scene.numerics.scheme = split.scheme;
   scene.numerics.shape_functions = split.shape;
   scene.domain.lower = {0, -2};
-  scene.domain.upper = {cut ? 4.0 : 40.0, 6};
-  scene.bodies = {{"block", "solid", Box{{3, 0}, {cut ? 4.0 : 4.5, 1}}, 2, {}}};
+  scene.domain.upper = {cut ? period : 40.0, 6};
+  scene.bodies = {{"block", "solid", Box{{period - 1, 0}, {cut ? period : period + 0.5, 1}}, 2, {}}};
   if (cut) scene.bodies.push_back({"rest", "solid", Box{{0, 0}, {0.5, 1}}, 2, {}});
-  for (BodyDefinition& body : scene.bodies) body.initial_velocity = {"1.1+0.3*sin(pi*x/2)", "0.2*cos(pi*x/2)-0.2"};
+  for (BodyDefinition& body : scene.bodies)
+    body.initial_velocity = {"1.1+0.3*sin(2*pi*x/3.25)", "0.2*cos(2*pi*x/3.25)-0.2"};
   scene.boundaries = cut ? split.periodic : split.wide;
   if (cut) scene.boundaries.push_back(periodic(Axis::x));
   scene.analysis.end_time = 8;
@@ -170,12 +175,12 @@ std::vector<Split> all_splits() {
         return std::vector<BoundaryDefinition>{
             {"held", Box{{x, 0.5}, {x, 1}}, PrescribedVelocity{{"0.1*t", "0"}}}};
       };
-      add("nodes", held(4), held(4));
-      add("nodes_of_the_lower_face", held(4), held(0));
+      add("nodes", held(period), held(period));
+      add("nodes_of_the_lower_face", held(period), held(0));
       const auto ball = [&](double x) {
         return std::vector<BoundaryDefinition>{{"ball", {}, RigidBall{{x, -1.2}, 1, smooth}}};
       };
-      if (scheme != "TLMPM") add("ball", ball(4), ball(0));
+      if (scheme != "TLMPM") add("ball", ball(period), ball(0));
     }
   return splits;
 }
@@ -203,8 +208,8 @@ Scene ridden(const std::string& scheme, bool cut) {
   Scene scene = test::block(100);
   scene.numerics.scheme = scheme;
   scene.domain.lower = {0, -2};
-  scene.domain.upper = {cut ? 4.0 : 40.0, 6};
-  scene.bodies[0].geometry = Box{{2.4, 0}, {3.9, 1}};
+  scene.domain.upper = {cut ? period : 40.0, 6};
+  scene.bodies[0].geometry = Box{{1.65, 0}, {3.15, 1}};
   scene.bodies[0].initial_velocity.x = "0.3";
   Hinge pulled = test::hinge(test::surface("block", Edge::right), HingeKind::mean, {Axis::x});
   pulled.displacement.x = "0.3*t";

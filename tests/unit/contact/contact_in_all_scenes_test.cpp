@@ -100,8 +100,9 @@ INSTANTIATE_TEST_SUITE_P(Contact, ContactWithTransfer, testing::Values("FLIP", "
 
 TEST(ContactInAllScenes, ActsAcrossTheSeamOfAPeriodicAxis) {
   Scene scene = empty(Dimension::plane_strain);
-  // Through the seam at x = 4, which is x = 0: both move, so that the gap between them is twice as large.
-  scene.bodies = {{"first", "solid", Box{{2.9, 1}, {3.9, 2}}, 2, {"1", "0.5"}},
+  // Through the seam at x = 3.75, which is x = 0: both move, so that the gap between them is twice as large.
+  scene.domain.upper.x = 3.75;
+  scene.bodies = {{"first", "solid", Box{{2.65, 1}, {3.65, 2}}, 2, {"1", "0.5"}},
                   {"second", "solid", Box{{2 * gap - 0.1, 1.1}, {2 * gap + 0.4, 1.9}}, 2, {"-1", {}}}};
   scene.boundaries = {{"round", {}, Periodic{Axis::x}}};
   expect_right(scene);

@@ -242,11 +242,12 @@ const std::vector<Mistake> boundaries = {
        s.boundaries[1] = {"ring", {}, Periodic{Axis::z}};
      },
      "boundaries[1].periodic.axis", "no z axis"},
-    {"PeriodOfPartsOfTiles",
+    {"PeriodOfPartsOfCells",
      [](Scene& s) {
        s.boundaries[1] = {"ring", {}, Periodic{Axis::y}};
+       s.domain.upper.y = 2.1;
      },
-     "domain.upper.y", "a multiple of 8 cells", "(16 cells)"},
+     "domain.upper.y", "a whole number of cells", "(12 cells)"},
     {"PeriodGivenTwice",
      [](Scene& s) {
        s = with_period(s);
