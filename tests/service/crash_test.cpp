@@ -117,9 +117,30 @@ TEST(ServerKilled, acknowledged_jobs_are_not_lost) {
   for (int job = 1; job <= acknowledged; ++job) EXPECT_EQ(service.get(std::to_string(job)).state(), v1::QUEUED);
 }
 
-TEST(EverythingKilled, jobs_go_on_from_their_checkpoints) {
+/// The bar pulled little by little, in analyses that have no motion.
+v1::Scene pulled(const std::string& analysis) {
+  v1::Scene scene = bar();
+  const double length = scene.analysis().end_time();
+  scene.mutable_bodies(0)->clear_initial_velocity();
+  scene.mutable_boundaries(0)->mutable_fixed()->clear_axes();
+  v1::Load& load = *scene.add_loads();
+  load.set_name("pull");
+  load.mutable_body_force()->mutable_acceleration()->set_x(1);
+  load.mutable_time()->mutable_ramp()->set_duration(length);
+  scene.mutable_outputs()->set_samples(200);
+  if (analysis == "relaxation") scene.mutable_analysis()->mutable_relaxation();
+  if (analysis == "quasi_static") scene.mutable_analysis()->mutable_quasi_static()->set_load_steps(200);
+  return scene;
+}
+
+class EverythingKilled : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Analyses, EverythingKilled, testing::Values("relaxation", "quasi_static"),
+                         [](const auto& named) { return named.param; });
+
+TEST_P(EverythingKilled, jobs_go_on_from_their_checkpoints_to_the_same_bits) {
   Service service(frequent_checkpoints);
-  const std::string job = service.submit(bar());
+  const v1::Scene scene = pulled(GetParam());
+  const std::string job = service.submit(scene);
   service.wait_for_checkpoint(job);
   service.server().send(SIGKILL);
   service.server().wait();
@@ -129,6 +150,7 @@ TEST(EverythingKilled, jobs_go_on_from_their_checkpoints) {
   const v1::Job done = service.wait(job);
   EXPECT_EQ(done.state(), v1::SUCCEEDED) << done.ShortDebugString();
   EXPECT_EQ(done.attempts(), 2);
+  expect_same_results(done, undisturbed(service, scene));
 }
 
 TEST(IdleWorkers, of_a_killed_server_leave_when_the_next_one_comes) {
