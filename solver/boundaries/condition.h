@@ -81,6 +81,8 @@ class DisplacementConstraints {
   virtual void prescribe(std::size_t condition, std::size_t tile, int node, int axis, double displacement) = 0;
 };
 
+class BodyGaps;
+
 class Condition {
  public:
   virtual ~Condition() = default;
@@ -88,6 +90,8 @@ class Condition {
   virtual bool works() const = 0;
   /// Finds the nodes of these tiles that are concerned, and marks those components that it prescribes.
   virtual void bind(std::span<const TileNodes> tiles, HeldComponents& held) = 0;
+  /// From now on gaps between bodies and rigid surfaces count.
+  virtual void measure_gaps_by(const BodyGaps&) {}
   /// Prepares for a kick. Throws FormulaNotFinite.
   virtual void prepare(const Kick& kick) = 0;
   /// Changes accelerations and velocities after the kick of a tile's nodes, each as if the other were. Adds to

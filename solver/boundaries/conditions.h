@@ -17,6 +17,10 @@ class Conditions {
   /// Whether some act on surfaces, which is done once after all tiles.
   bool on_surfaces() const { return !on_surfaces_.empty(); }
 
+  /// Gaps between bodies and rigid surfaces count.
+  void measure_gaps_by(const BodyGaps& gaps) {
+    for (auto& condition : on_nodes_) condition->measure_gaps_by(gaps);
+  }
   /// Finds what is concerned after particles have been sorted.
   void bind(const std::vector<BodyParticles>& bodies, Tiles& tiles);
   /// Throws FormulaNotFinite.

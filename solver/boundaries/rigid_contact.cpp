@@ -25,48 +25,74 @@ void RigidContact::make(const Model& model, std::vector<std::unique_ptr<Conditio
 }
 
 RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle, std::size_t condition)
-    : obstacle_(obstacle), condition_(condition), frame_(model), velocities_(model) {}
+    : obstacle_(obstacle), condition_(condition), frame_(model), velocities_(model) {
+  shape_.normal = {obstacle.normal.x, obstacle.normal.y, obstacle.normal.z};
+  shape_.ball = obstacle.ball;
+  shape_.radius = obstacle.radius;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    shape_.period[axis] = frame_.cell * static_cast<double>(frame_.period[axis]);
+}
 
 void RigidContact::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
   held_ = &held;
   touches_.assign(tiles.size() * TileNodes::count, Touch::none);
 }
 
+/// What sticks for good or may not part is held from the first, wherever its surface goes by rounding.
+void RigidContact::measure_gaps_by(const BodyGaps& gaps) {
+  if (obstacle_.separates && !obstacle_.bonded) gaps_ = &gaps;
+}
+
 void RigidContact::prepare(const Kick& kick) {
   kick_ = kick.length();
-  point_ = obstacle_.point;
-  double* const moved[] = {&point_.x, &point_.y, &point_.z};
+  // At a sample particles stand still, and go on with the next kick.
+  closing_time_ = kick.drift > 0 ? kick.drift : 2 * kick_;
+  shape_.point = {obstacle_.point.x, obstacle_.point.y, obstacle_.point.z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::optional<Formula>& u = obstacle_.displacement[axis];
     if (!u) continue;
-    *moved[axis] += (*u)({}, kick.time);
+    shape_.point[axis] += (*u)({}, kick.time);
     velocity_[axis] = velocities_.of(*u, true, {}, kick).after;
   }
 }
 
-double RigidContact::distance(Vector at, Components& normal) const {
-  Components from = {at.x - point_.x, at.y - point_.y, at.z - point_.z};
-  if (!obstacle_.ball) {
-    normal = {obstacle_.normal.x, obstacle_.normal.y, obstacle_.normal.z};
-    return dot(from, normal);
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (frame_.period[axis] > 0)  // of all its images the nearest
-      from[axis] = std::remainder(from[axis], frame_.cell * static_cast<double>(frame_.period[axis]));
-  const double length = std::sqrt(dot(from, from));
-  for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] = length > 0 ? from[axis] / length : 0;
-  return length - obstacle_.radius;
+double RigidContact::distance(const TileNodes& nodes, int node, Components& normal) const {
+  const Vector at = frame_.place(nodes, node);
+  return shape_.distance({at.x, at.y, at.z}, normal);
 }
 
 bool RigidContact::may_touch(const TileNodes& nodes) const {
   const Vector a = frame_.place(nodes, 0), b = frame_.place(nodes, TileNodes::count - 1);
   Components normal;
-  const Vector centre{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
-  return distance(centre, normal) <= std::hypot(b.x - a.x, b.y - a.y, b.z - a.z) / 2 + frame_.cell;
+  return shape_.distance({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}, normal) <=
+         std::hypot(b.x - a.x, b.y - a.y, b.z - a.z) / 2 + frame_.cell;
 }
 
-RigidContact::Touch RigidContact::respond(const Components& relative, Components normal, unsigned held,
-                                          Components& change) const {
+RigidContact::Components RigidContact::relative_velocity(const TileNodes& nodes, int node) const {
+  Components relative{};
+  for (int axis = 0; axis < frame_.dimensions; ++axis)
+    relative[static_cast<std::size_t>(axis)] =
+        nodes.velocity(axis)[node] - velocity_[static_cast<std::size_t>(axis)];
+  return relative;
+}
+
+void RigidContact::find_allowed(std::size_t tile, const TileNodes& nodes,
+                                std::array<double, TileNodes::count>& allowed) const {
+  allowed.fill(0);
+  if (!gaps_) return;
+  std::uint64_t closing = 0;
+  for (int node = 0; node < TileNodes::count; ++node) {
+    Components normal;
+    if (!(nodes.mass()[node] > 0) || distance(nodes, node, normal) > tolerance * frame_.cell) continue;
+    closing |= std::uint64_t{dot(relative_velocity(nodes, node), normal) < 0} << node;
+  }
+  if (closing == 0) return;
+  gaps_->find(tile, closing, shape_, allowed);
+  for (double& gap : allowed) gap = std::max(gap, 0.0) / closing_time_;
+}
+
+RigidContact::Touch RigidContact::respond(const Components& relative, Components normal, double allowed,
+                                          unsigned held, Components& change) const {
   change = {};
   Components free = relative;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -78,10 +104,10 @@ RigidContact::Touch RigidContact::respond(const Components& relative, Components
   const double length = std::sqrt(dot(normal, normal));
   if (length < least_normal) return Touch::none;
   for (double& component : normal) component /= length;
-  const double approach = -dot(free, normal);
+  const double approach = -dot(free, normal) - allowed;
   if (approach <= 0 && obstacle_.separates) return Touch::none;
   Components along;
-  for (std::size_t axis = 0; axis < 3; ++axis) along[axis] = free[axis] + approach * normal[axis];
+  for (std::size_t axis = 0; axis < 3; ++axis) along[axis] = free[axis] + (approach + allowed) * normal[axis];
   const double sliding = std::sqrt(dot(along, along));
   const double friction = obstacle_.friction * std::max(0.0, approach);
   const bool sticks = sliding <= friction;
@@ -96,14 +122,15 @@ void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<React
   std::fill(touches, touches + TileNodes::count, Touch::none);
   Reaction& reaction = reactions[condition_];
   if (!may_touch(nodes)) return;
+  std::array<double, TileNodes::count> allowed;
+  find_allowed(tile, nodes, allowed);
   const auto axes = static_cast<std::size_t>(frame_.dimensions);
   for (int node = 0; node < TileNodes::count; ++node) {
-    Components normal, relative{}, change;
+    Components normal, change;
     const double mass = nodes.mass()[node];
-    if (!(mass > 0) || distance(frame_.place(nodes, node), normal) > tolerance * frame_.cell) continue;
-    for (std::size_t axis = 0; axis < axes; ++axis)
-      relative[axis] = nodes.velocity(static_cast<int>(axis))[node] - velocity_[axis];
-    touches[node] = respond(relative, normal, held[node], change);
+    if (!(mass > 0) || distance(nodes, node, normal) > tolerance * frame_.cell) continue;
+    touches[node] = respond(relative_velocity(nodes, node), normal, allowed[static_cast<std::size_t>(node)],
+                            held[node], change);
     for (std::size_t axis = 0; axis < axes; ++axis) {
       double& a = nodes.acceleration(static_cast<int>(axis))[node];
       double& v = nodes.velocity(static_cast<int>(axis))[node];
@@ -127,7 +154,8 @@ void RigidContact::act_on_mapped(std::size_t tile, const TileNodes& nodes) const
   for (int node = 0; node < TileNodes::count; ++node) {
     const std::size_t index = tile * TileNodes::count + static_cast<std::size_t>(node);
     Components normal, relative{};
-    if (distance(frame_.place(nodes, node), normal) > tolerance * frame_.cell) continue;
+    if (distance(nodes, node, normal) > tolerance * frame_.cell) continue;
+    if (gaps_ && touches_[index] == Touch::none) continue;
     for (std::size_t axis = 0; axis < axes; ++axis) {
       relative[axis] = nodes.mapped_velocity(static_cast<int>(axis))[node] - velocity_[axis];
       if ((*held_)[index] >> axis & 1u) relative[axis] = normal[axis] = 0;

@@ -38,6 +38,23 @@ Components outwards(const Region& region, Vector at, int axes, double by) {
   return gradient;
 }
 
+/// Whether a body that moves with this one, perhaps across a face where the grid repeats itself, is there.
+bool is_covered(const Model& model, const Body& body, Vector at) {
+  const Coordinates origin{model.grid.origin};
+  Coordinates place{at};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double period = model.grid.cell * static_cast<double>(model.grid.cells()[axis]);
+    if (model.grid.periodic[axis]) place[axis] -= period * std::floor((place[axis] - origin[axis]) / period);
+  }
+  const auto field = [&](const Body& of) {
+    const auto index = static_cast<std::size_t>(&of - model.bodies.data());
+    return model.contacts.fields > 1 ? model.contacts.field_of[index] : 0;
+  };
+  return std::ranges::any_of(model.bodies, [&](const Body& other) {
+    return field(other) == field(body) && signed_distance(other.lattice.geometry, place.vector) < 0;
+  });
+}
+
 /// Takes back what a particle is deformed by at time 0.
 void undo_deformation(const Body& body, Vector particle, BoundaryPoint& point) {
   if (std::ranges::none_of(body.deformation, [](const auto& formula) { return formula.has_value(); })) return;
@@ -64,8 +81,12 @@ BodySurface::BodySurface(const Model& model, const Body& body) {
     const Components normal = outwards(lattice.geometry, middle.vector, axes, step * cell);
     if (dot(normal, normal) == 0 || std::abs(distance) > furthest * spacing[axis]) return;
     BoundaryPoint point{{}, normal};
-    for (std::size_t a = 0; a < static_cast<std::size_t>(axes); ++a)
+    Coordinates outside{particle};
+    for (std::size_t a = 0; a < static_cast<std::size_t>(axes); ++a) {
       point.from[a] = (middle[a] - distance * normal[a] - Coordinates{particle}[a]) / cell;
+      outside[a] += cell * (point.from[a] + step * normal[a]);
+    }
+    if (is_covered(model, body, outside.vector)) return;
     undo_deformation(body, particle, point);
     points_.push_back(point);
   };

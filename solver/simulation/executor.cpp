@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "solver/contact/surface_gaps.h"
 #include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/diverged.h"
@@ -79,6 +80,10 @@ Executor::Executor(const Model& model, int threads, Filling filling)
   }
   sweep_.flip = model.numerics.flip_fraction.value_or(1);
   lightest_particle_ = lightest_particle(bodies_);
+  if (SurfaceGaps::are_needed(model)) {
+    gaps_ = std::make_unique<SurfaceGaps>(model, tiles_, bodies_, sweep_);
+    conditions_.measure_gaps_by(*gaps_);
+  }
   accounts_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
               !model.outputs.reactions.empty();
   for (int thread = 0; thread < threads; ++thread) scratch_.push_back(make_scratch(model, transfer_, bodies_));

@@ -73,8 +73,7 @@ class Executor {
   int node_quantities() const { return quantities(transfer_kind_.node_vectors, axes_); }
   /// The surface points of loads and boundary conditions.
   std::vector<Riders*> riders();
-  /// For whoever keeps slots.
-  std::int64_t sortings() const { return sortings_; }
+  std::int64_t sortings() const { return sortings_; }  ///< for whoever keeps slots
   /// What decides when particles are sorted next.
   ParticleOrder& order() { return order_; }
   const Sweeps& sweeps() const { return sweeps_; }
@@ -126,6 +125,7 @@ class Executor {
   const TransferKernels& transfer_;
   ThreadPool pool_;
   std::vector<BodyParticles> bodies_;
+  std::unique_ptr<BodyGaps> gaps_;  ///< where rigid surfaces need them
   Conditions conditions_;
   BodyContacts contacts_;
   Loads loads_;

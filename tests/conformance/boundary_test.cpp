@@ -5,9 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 
+#include "solver/schemes/scheme.h"
 #include "solver/simulation/simulation.h"
+#include "tests/conformance/grid_nodes.h"
 #include "tests/unit/simulation/scenes.h"
 
 /// What every boundary condition must do in every dimension in which it makes sense: what it prescribes holds,
@@ -16,7 +17,6 @@ namespace trajan {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double cell = 0.25;
 
 /// The motion of what moves, and its rate.
 constexpr const char* motion = "0.02*t^2";
@@ -43,72 +43,6 @@ Surface side(Dimension dimension, const Region& within = {}) {
   return surface;
 }
 
-/// What nodes hold after a kick that ended at a sample.
-class Nodes {
- public:
-  using Index = std::array<std::int64_t, 3>;
-  using Components = std::array<double, 3>;
-  Nodes(const Simulation& simulation, const Model& model) : axes_(grid_axes(model.dimension)), model_(model) {
-    const Tiles& tiles = simulation.executor().tiles();
-    const Layout& layout = tiles.layout();
-    for (std::size_t t = 0; t < tiles.tiles().size(); ++t)
-      for (int node = 0; node < tile_nodes; ++node) {
-        const double* values = tiles.nodes(t) + node;
-        if (!(values[quantity_mass * tile_nodes] > 0)) continue;
-        Index at{};
-        Components velocity{};
-        for (int axis = 0; axis < axes_; ++axis) {
-          at[axis] = std::int64_t{tiles.tiles()[t].at[axis]} * layout.side +
-                     node / layout.tile_stride(axis) % layout.side;
-          velocity[axis] = values[quantity(node_velocity, axis, axes_) * tile_nodes];
-        }
-        velocities_[at] = velocity;
-      }
-  }
-  Components origin() const { return {model_.grid.origin.x, model_.grid.origin.y, model_.grid.origin.z}; }
-  Components place(const Index& at) const {
-    Components place{};
-    for (int axis = 0; axis < axes_; ++axis) place[axis] = origin()[axis] + cell * static_cast<double>(at[axis]);
-    return place;
-  }
-  /// By the functions of points: quadratic B-splines in their scenes, else linear ones.
-  double interpolated(const Components& at, int component) const {
-    Weights along[3] = {{{0, 1}}, {{0, 1}}, {{0, 1}}};
-    for (int axis = 0; axis < axes_; ++axis) along[axis] = weights((at[axis] - origin()[axis]) / cell);
-    double sum = 0;
-    for (const auto& [i, weight_x] : along[0])
-      for (const auto& [j, weight_y] : along[1])
-        for (const auto& [k, weight_z] : along[2]) {
-          const auto found = velocities_.find(Index{i, j, k});
-          if (found != velocities_.end()) sum += weight_x * weight_y * weight_z * found->second[component];
-        }
-    return sum;
-  }
-  const std::map<Index, Components>& velocities() const { return velocities_; }
-
- private:
-  /// Nodes along an axis with their weights.
-  using Weights = std::vector<std::pair<std::int64_t, double>>;
-  /// At a coordinate in cells from the domain's lower face. Below it linear functions go on, and of splines those
-  /// are folded that lie beyond it (Steffen, Kirby and Berzins 2008).
-  Weights weights(double coordinate) const {
-    if (model_.numerics.shape_functions != "quadratic_bspline") {
-      const double first = std::max(0.0, std::floor(coordinate)), within = coordinate - first;
-      return {{static_cast<std::int64_t>(first), 1 - within}, {static_cast<std::int64_t>(first) + 1, within}};
-    }
-    const double middle = std::max(0.0, std::round(coordinate)), off = coordinate - middle;
-    const auto node = static_cast<std::int64_t>(middle);
-    const double before = 0.5 * (0.5 - off) * (0.5 - off), behind = 0.5 * (0.5 + off) * (0.5 + off);
-    const double here = 0.75 - off * off;
-    if (node == 0) return {{0, here + 2 * before}, {1, behind - before}};
-    return {{node - 1, before}, {node, here}, {node + 1, behind}};
-  }
-
-  int axes_;
-  const Model& model_;
-  std::map<Index, Components> velocities_;
-};
-
 /// What a condition promises at a sample: called with all that is known then.
 using Promise = std::function<void(Simulation&, const Model&, const Nodes&)>;
 
@@ -133,10 +67,28 @@ Promise nodes_move(bool all, double (*speed)(double)) {
 }
 double standstill(double) { return 0; }
 
-/// Nothing within a rigid body that moves with `motion` goes further in. `centre` < 0: a ball about a point on the
-/// normal through the origin; otherwise the plane through the side.
+/// No particle with what it reaches goes into a rigid body that moves with `motion`. `centre` < 0: a ball about a
+/// point on the normal through the origin; otherwise the plane through the side. Gaps are means over a cell, in
+/// which a ball's surface bends away by cell^2 / 2 radius.
+void expect_none_within(Simulation& simulation, const Model& model, double centre, double radius) {
+  const int normal = normal_of(model.dimension), axes = grid_axes(model.dimension);
+  const std::vector<double> places = simulation.snapshot().position;
+  const double deepest = radius == 0 ? 0.01 * cell : 0.5 * cell * cell / radius;
+  for (std::size_t p = 0; p < places.size(); p += static_cast<std::size_t>(axes)) {
+    Nodes::Components from{};
+    for (int axis = 0; axis < axes; ++axis) from[axis] = places[p + static_cast<std::size_t>(axis)];
+    from[normal] -= centre + displacement(simulation.time());
+    const double length = std::hypot(from[0], from[1], from[2]);
+    EXPECT_GT(radius == 0 ? from[normal] : length - radius, 0.25 * cell - deepest);
+  }
+}
+
+/// Nothing within a rigid body that moves with `motion` goes further in, or if it may part, nothing goes in.
+/// Bodies as above.
 Promise nothing_goes_in(double centre, double radius, bool bonded, bool held) {
   return [=](Simulation& simulation, const Model& model, const Nodes& nodes) {
+    const bool measures_gaps = !bonded && !held && !is_total_lagrangian(model.numerics.scheme);
+    if (measures_gaps) return expect_none_within(simulation, model, centre, radius);
     const int normal = normal_of(model.dimension), axes = grid_axes(model.dimension);
     int met = 0;
     for (const auto& [at, velocity] : nodes.velocities()) {
@@ -377,7 +329,12 @@ TEST_P(Boundaries, DoWorkThatIsInTheBalanceOfEnergy) {
   const double coarse = balance_error(block(), 0.4), fine = balance_error(block(), 0.1);
   // Leapfrog's error and that of mapping, which comes with each change of velocity, vanish with the step. What
   // sliding nodes of lumped mass leave at this resolution is below a hundredth; the work of what moves is ten.
-  EXPECT_LT(fine, std::max(coarse / 2, 0.01));
+  // What meets a ball anew, node by node, with four cells in its radius, loses up to two (less with finer cells:
+  // see RigidBall.LosesTheLessEnergyTheFinerTheGrid).
+  const std::string& name = GetParam().kind.name;
+  const bool meets_anew =
+      (name == "smooth_ball" || name == "rough_ball") && !is_total_lagrangian(GetParam().scheme);
+  EXPECT_LT(fine, std::max(coarse / 2, meets_anew ? 0.02 : 0.01));
   EXPECT_LT(coarse, 0.1);
 }
 
