@@ -161,8 +161,8 @@ def remarks(section, stored):
         elliptic integrals, on hinges at a/r 1 {reference.duffing("simply_supported", 1.0):.4f} instead of 1.25. Beams this thick are softer
         in bending than Euler and Bernoulli's by shear, not in stretching, so that their frequency rises more than
         Woinowsky-Krieger's (hinged, by elliptic integrals) or Evensen's. The true reference is an independent
-        nonlinear finite element solution of the plane body (Saint Venant-Kirchhoff's law, tests/references/
-        nonlinear_vibration.py), whose own error of the ratio is at most {errors.pop():.1g} (fixed-fixed, L/r 13.856; of
+        nonlinear finite element solution of the plane body (Saint Venant-Kirchhoff's law,
+        tests/references/nonlinear_vibration.py), whose own error of the ratio is at most {errors.pop():.1g} (fixed-fixed, L/r 13.856; of
         the others {errors.pop():.1g}).""")
     section.remark("""The amplitude is that of mid-span, half of the distance of the extremes, the mean of eight periods;
         the frequency is the mean of the same periods. A velocity chosen from the linear mode does not reach the nominal
