@@ -30,15 +30,15 @@ SETTINGS = (
 def run(section):
     true = dict(zip(COLUMNS, np.loadtxt(STORED, delimiter=",", skiprows=1).T))
     missed = {name: abs(1 - true[name][-1] / true["plane"][-1]) for name in ("elastica", "reissner")}
-    section.remark(f"""The figure has the load parameter q L^3 / (E I) from 0 to 10 on its axis and shows no numbers; the text
-        states neither length nor height. The beam here is that of Bathe, Ramm and Wilson (1975), which such figures show:
-        L 10, h 1, E 12000, nu 0.2, a load that keeps its direction, in plane stress. The true reference is the plane
-        body of Saint Venant-Kirchhoff's law with its whole edge clamped, by finite elements
-        (tests/references/large_deflection.py, exact to 3e-5 of L). Beside it: the elastica, which neither stretches nor shears, and Reissner's
-        beam, which does. Of a beam as thick as this one both miss a part: {missed["elastica"]:.1%} and
-        {missed["reissner"]:.1%} of the deflection at the largest load. "More deflection than finite elements", as the
-        dissertation says of its result, is no property of the particles: the body of its law deflects more than beams
-        do.""")
+    section.remark(f"""The figure has the load parameter q L^3 / (E I) from 0 to 10 on its axis and shows no
+        numbers; the text states neither length nor height. The beam here is that of Bathe, Ramm and Wilson
+        (1975), which such figures show: L 10, h 1, E 12000, nu 0.2, a load that keeps its direction, in plane
+        stress. The true reference is the plane body of Saint Venant-Kirchhoff's law with its whole edge
+        clamped, by finite elements (tests/references/large_deflection.py, exact to 3e-5 of L). Beside it: the
+        elastica, which neither stretches nor shears, and Reissner's beam, which does. Of a beam as thick as
+        this one both miss a part: {missed["elastica"]:.1%} and {missed["reissner"]:.1%} of the deflection at
+        the largest load. "More deflection than finite elements", as the dissertation says of its result, is no
+        property of the particles: the body of its law deflects more than beams do.""")
     figure, drawn = plots.axes(1)
     drawn.plot(true["load"], true["plane"], **plots.REFERENCE, label="plane finite elements")
     drawn.plot(true["load"], true["reissner"], color="gray", label="Reissner's beam")
