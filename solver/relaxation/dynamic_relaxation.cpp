@@ -68,6 +68,14 @@ bool may_be_stopped(const Model& model) {
 /// What nothing holds as all lies now, and how it can move.
 std::string find_free_motion_now(const Model& model, Executor& executor, double time) {
   if (may_be_stopped(model)) return "";
+  if (model.numerics.precision == float_precision) {
+    // Equations need doubles. What is held does not depend on how far bodies have moved.
+    Model in_doubles = model;
+    in_doubles.numerics.precision = "DOUBLE";
+    Executor at_first(in_doubles, 1);
+    at_first.begin();
+    return find_free_motion_now(in_doubles, at_first, time);
+  }
   const Discretization on(model, executor);
   return find_free_motion(model, on, Constraints(on, executor, time, time));
 }
