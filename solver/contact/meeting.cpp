@@ -8,21 +8,7 @@
 namespace trajan {
 namespace {
 
-/// Cosine up to which a surface faces a direction: sides of a block's corner do not face what its foot does.
-constexpr double facing = 0.5;
-/// In cells: what lies deeper behind the foremost point of a surface is no part of it.
-constexpr double layer = 0.75;
-/// In cells from the line along the normal: what says how wide the gap is. Of every body some points, however few
-/// particles it has in a cell, and no more: means over curved gaps, as at a contact's end, make contacts narrower.
-constexpr double beside = 0.75;
-
 Components negative(const Components& v) { return {-v[0], -v[1], -v[2]}; }
-
-/// Of what is this far away, squared: falls smoothly to zero.
-double weight(double square, double furthest) {
-  const double share = 1 - square / (furthest * furthest);
-  return share > 0 ? share * share : 0;
-}
 
 /// The mean normal of the surface that faces a direction; zero if there is none.
 Components mean_normal(const NearbyParticles& near, const Components& along) {
@@ -30,7 +16,7 @@ Components mean_normal(const NearbyParticles& near, const Components& along) {
   double weights = 0;
   for (const NearbyBoundary& point : near.boundary) {
     if (!(dot(point.normal, along) > facing)) continue;
-    const double w = weight(dot(point.place, point.place), nearby);
+    const double w = falling_weight(dot(point.place, point.place), nearby);
     weights += w;
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += w * point.normal[axis];
   }
@@ -46,7 +32,7 @@ double mean_reach(const NearbyParticles& near, const Components& along) {
   for (const NearbyBoundary& point : near.boundary) {
     const double to = dot(point.place, along);
     if (!(dot(point.normal, along) > facing) || to < foremost - layer) continue;
-    const double w = weight(dot(point.place, point.place) - to * to, beside);
+    const double w = falling_weight(dot(point.place, point.place) - to * to, beside);
     weights += w;
     sum += w * to;
   }

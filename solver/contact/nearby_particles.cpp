@@ -7,10 +7,6 @@
 namespace trajan {
 namespace {
 
-/// Distance from the line along the normal, in cells, up to which particles say whether there is a gap: some of
-/// every body, however few particles it has in a cell, and no more, lest curved surfaces touch too early.
-constexpr double beside = 0.75;
-
 using Matrix = std::array<Components, 3>;
 
 /// The deformation gradient of a particle; of axes that the grid lacks it is 1.

@@ -45,6 +45,19 @@ struct NearbyParticles {
 
 /// How far from a node particles have a say in whether and how bodies touch there, in cells.
 inline constexpr double nearby = 2;
+/// Cosine up to which a surface faces a direction: sides of a block's corner do not face what its foot does.
+inline constexpr double facing = 0.5;
+/// In cells: what lies deeper behind the foremost point of a surface is no part of it.
+inline constexpr double layer = 0.75;
+/// In cells from the line along the normal: what says how wide the gap is. Of every body some points, however few
+/// particles it has in a cell, and no more: means over curved gaps, as at a contact's end, make contacts narrower.
+inline constexpr double beside = 0.75;
+
+/// Of what is this far away, squared: falls smoothly to zero.
+inline double falling_weight(double square, double furthest) {
+  const double share = 1 - square / (furthest * furthest);
+  return share > 0 ? share * share : 0;
+}
 
 /// Adds the particles of a tile's field to what is near the tile's nodes. `nodes`: bits of those that are asked
 /// for; `near`: by node.

@@ -10,9 +10,6 @@ namespace trajan {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// As in meeting.cpp: cosine up to which a surface faces another one; what lies further behind the foremost point,
-/// in cells, is no part of it; distance from the line along the normal, in cells, up to which points have a say.
-constexpr double facing = 0.5, layer = 0.75, beside = 0.75;
 
 /// A node, and what lies near it in the coordinates of the shape.
 class NodeView {
@@ -30,8 +27,7 @@ class NodeView {
   /// From 1 on the line through the node along the normal to 0.
   double weight(const Components& from) const {
     const double ahead = dot(from, normal_);
-    const double share = 1 - (dot(from, from) - ahead * ahead) / (beside * beside);
-    return share > 0 ? share * share : 0;
+    return falling_weight(dot(from, from) - ahead * ahead, beside);
   }
 
  private:
