@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <thread>
 
@@ -121,15 +122,17 @@ TEST(ServerKilled, acknowledged_jobs_are_not_lost) {
 v1::Scene pulled(const std::string& analysis) {
   v1::Scene scene = bar();
   const double length = scene.analysis().end_time();
+  // Snapshots are at every fourth part of the levels.
+  const int levels = 4 * std::max(3, static_cast<int>(50 / slowness()));
   scene.mutable_bodies(0)->clear_initial_velocity();
   scene.mutable_boundaries(0)->mutable_fixed()->clear_axes();
   v1::Load& load = *scene.add_loads();
   load.set_name("pull");
   load.mutable_body_force()->mutable_acceleration()->set_x(1);
   load.mutable_time()->mutable_ramp()->set_duration(length);
-  scene.mutable_outputs()->set_samples(200);
+  scene.mutable_outputs()->set_samples(levels);
   if (analysis == "relaxation") scene.mutable_analysis()->mutable_relaxation();
-  if (analysis == "quasi_static") scene.mutable_analysis()->mutable_quasi_static()->set_load_steps(200);
+  if (analysis == "quasi_static") scene.mutable_analysis()->mutable_quasi_static()->set_load_steps(levels);
   return scene;
 }
 

@@ -19,15 +19,6 @@ namespace trajan::test {
 
 namespace {
 
-// Computing is slower by these factors, about, and a run shall last some seconds.
-#ifdef TRAJAN_SANITIZED_THREADS
-constexpr double slowness = 50;
-#elif defined(TRAJAN_SANITIZED)
-constexpr double slowness = 10;
-#else
-constexpr double slowness = 1;
-#endif
-
 constexpr const char* bar_text = R"scene(
   name: "bar"
   domain { dimension: PLANE_STRESS upper { x: 10.5 y: 1 } cell_size: 0.25 }
@@ -233,11 +224,21 @@ std::vector<double> Service::history(const std::string& job, bool follow) {
   return values;
 }
 
+double slowness() {
+#ifdef TRAJAN_SANITIZED_THREADS
+  return 50;
+#elif defined(TRAJAN_SANITIZED)
+  return 10;
+#else
+  return 1;
+#endif
+}
+
 v1::Scene bar(double length, int samples) {
   v1::Scene scene;
   const bool parsed = google::protobuf::TextFormat::ParseFromString(bar_text, &scene);
   if (!parsed) throw std::logic_error("the test's scene is not a scene");
-  scene.mutable_analysis()->set_end_time(40 / slowness * length);
+  scene.mutable_analysis()->set_end_time(40 / slowness() * length);
   scene.mutable_outputs()->set_samples(samples);
   return scene;
 }

@@ -92,6 +92,9 @@ class Service {
   std::unique_ptr<v1::Studies::Stub> studies_;
 };
 
+/// How many times slower a sanitizer makes computing, about: runs that shall last some seconds are shorter by it.
+double slowness();
+
 /// The vibration of a short bar: some seconds of computing for a `length` of 1, also under a sanitizer.
 v1::Scene bar(double length = 1, int samples = 2000);
 
