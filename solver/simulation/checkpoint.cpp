@@ -108,6 +108,7 @@ Checkpoint Simulation::save() {
   checkpoint.arrays.push_back(
       {"energies", std::vector<double>{exchanged.work, exchanged.dissipated, exchanged.contact, initial_energy_,
                                        largest_energy_, largest_input_, largest_internal_energy_}});
+  checkpoint.arrays.push_back({"angular_momentum", angular_momentum_.save()});
   if (stepper_) stepper_->save(checkpoint);
   return checkpoint;
 }
@@ -117,7 +118,8 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
       scheme_(*find_scheme(model.numerics.scheme)),
       executor_(model, threads),
       fields_(model, executor_),
-      coherence_(model, executor_) {
+      coherence_(model, executor_),
+      angular_momentum_(model, executor_) {
   for (std::size_t b = 0; b < executor_.bodies().size(); ++b) {
     BodyParticles& body = executor_.bodies()[b];
     for (Attribute a : body.present) {
@@ -143,6 +145,7 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
   largest_energy_ = energies[4];
   largest_input_ = energies[5];
   largest_internal_energy_ = energies[6];
+  angular_momentum_.restore(checkpoint_array<double>(checkpoint, "angular_momentum"));
   sample_ = checkpoint.sample;
   steps_ = checkpoint.step;
   coherence_.resume(steps_);

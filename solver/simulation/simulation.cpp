@@ -65,7 +65,8 @@ Simulation::Simulation(const Model& model, int threads)
       scheme_(*find_scheme(model.numerics.scheme)),
       executor_(model, threads),
       fields_(model, executor_),
-      coherence_(model, executor_) {
+      coherence_(model, executor_),
+      angular_momentum_(model, executor_) {
   executor_.begin();
   stepper_ = make_stepper(model, executor_);
   follow_probes();
@@ -181,9 +182,9 @@ void Simulation::measure() {
   for (const Reaction& of_body : reactions.subspan(model_.conditions.size())) record_force(of_body);
   if (stepper_) stepper_->record(columns_);
   largest_input_ = std::max({largest_input_, std::abs(initial_energy_), std::abs(work)});
-  largest_internal_energy_ =
-      std::max({largest_internal_energy_, std::abs(work), least_internal_energy * largest_energy_,
-                total - common_energy() - std::max(from_nowhere, 0.0)});
+  internal_energy_ =
+      std::max(least_internal_energy * largest_energy_, total - common_energy() - std::max(from_nowhere, 0.0));
+  largest_internal_energy_ = std::max({largest_internal_energy_, std::abs(work), internal_energy_});
   from_nowhere_ = largest_internal_energy_ > 0 ? from_nowhere / largest_internal_energy_ : 0.0;
   if (from_nowhere <= most_energy_from_nowhere * largest_input_) return;
   executor_.diverge("energy has come from nowhere, " + std::to_string(from_nowhere / largest_input_) +
@@ -241,6 +242,8 @@ std::vector<Warning> Simulation::warnings() {
     add(warnings_of_soft_supports(model_));
   }
   if (std::optional<Warning> energy = energy_warning()) all.push_back(*energy);
+  if (std::optional<Warning> spin = angular_momentum_.check(steps_, time(), internal_energy_))
+    all.push_back(*spin);
   add(coherence_.check(steps_, time(), sample_ == model_.outputs.samples));
   return all;
 }

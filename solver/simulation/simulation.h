@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/recorder.h"
+#include "solver/simulation/angular_momentum.h"
 #include "solver/simulation/coherence.h"
 #include "solver/simulation/executor.h"
 #include "solver/simulation/particle_fields.h"
@@ -67,6 +68,7 @@ class Simulation {
   Executor executor_;
   ParticleFields fields_;
   Coherence coherence_;
+  AngularMomentum angular_momentum_;
   std::unique_ptr<Stepper> stepper_;  ///< nullptr: steps are the scheme's
   std::int64_t sample_ = 0, steps_ = 0;
   std::int64_t step_in_interval_ = 0, steps_in_interval_ = 0;
@@ -74,7 +76,8 @@ class Simulation {
   Totals totals_;
   double initial_energy_ = 0, largest_energy_ = 0, balance_error_ = 0;
   double largest_input_ = 0;            ///< of initial energy and work so far
-  double largest_internal_energy_ = 0;  ///< in strains and relative motion, or work
+  double internal_energy_ = 0;          ///< in strains and relative motion
+  double largest_internal_energy_ = 0;  ///< or work
   double from_nowhere_ = 0;             ///< energy that neither went in nor was there, over that
   bool told_of_energy_ = false;
   std::vector<double> columns_;

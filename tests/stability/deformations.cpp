@@ -179,7 +179,7 @@ void add_turns(std::vector<Extreme>& extremes, Size size) {
   for (const auto& [scheme, shape, transfer] : kinds) {
     Extreme extreme;
     extreme.name = number_text(turns) + " turns, " + scheme + " " + shape + " " + transfer;
-    extreme.claim = "growth of the block";
+    extreme.claim = "growth of the block, until it warns";
     extreme.bound = 0.02;
     extreme.scene = turning(turns, scheme, shape, transfer);
     extreme.figure = growth;
