@@ -144,14 +144,12 @@ void estimate_by_trial(const Model& model, const Evidence& evidence, v1::Estimat
   *estimate.mutable_steps() = figure(trial.steps(), trial.whole() ? 1 : 1.1, source, trial.basis());
   *estimate.mutable_wall_seconds() = figure(cost.wall_seconds(), factor, source, trial.basis());
   *estimate.mutable_core_seconds() = figure(cost.core_seconds(), factor, source, trial.basis());
-  // Files and histories grow until the end.
-  if (trial.whole())
-    *estimate.mutable_memory_bytes() =
-        figure(static_cast<double>(cost.memory_bytes()), memory_factor, source, trial.basis());
-  if (estimate.has_memory_bytes())
-    estimate.clear_missing();
-  else
-    estimate.set_missing("memory_bytes: this machine has not been measured yet");
+  // Counted arrays say more than a process that is new does, but nobody can count factors.
+  const auto memory = static_cast<double>(cost.memory_bytes());
+  const bool counted = estimate.has_memory_bytes();
+  if (!counted || (solves_for_displacements(model) && estimate.memory_bytes().value() < memory))
+    *estimate.mutable_memory_bytes() = figure(memory, memory_factor, source, trial.basis());
+  estimate.clear_missing();
 }
 
 }  // namespace
@@ -175,8 +173,7 @@ v1::Estimate estimate(const v1::Scene& scene, const Model& model, const Evidence
   v1::Estimate estimate;
   estimate.set_threads(threads_of(model, evidence.threads));
   const ModelPlan planned = plan(model);
-  if (std::holds_alternative<ExplicitDynamics>(model.analysis) ||
-      std::holds_alternative<Relaxation>(model.analysis))
+  if (!solves_for_displacements(model))
     *estimate.mutable_time_step() = figure(planned.time_step, 1.1, v1::Figure::MODEL, "at time 0");
   estimate.set_time_step_limit(planned.time_step_limit);
   estimate_by_model(model, planned, evidence, estimate);

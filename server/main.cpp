@@ -5,6 +5,7 @@
 #include "proto/default_paths.h"
 #include "server/address.h"
 #include "server/measure.h"
+#include "server/run_cost.h"
 #include "server/server.h"
 #include "server/worker.h"
 
@@ -100,6 +101,7 @@ int main(int argument_count, char** arguments) {
   add_work_options(work, work_options);
   try {
     program.parse(argument_count, arguments);
+    if (!serve.parsed()) trajan::give_back_freed_memory();
     if (work.parsed()) return trajan::work(work_options);
     if (calibrate.parsed()) return trajan::measuring::calibrate(measuring.directory);
     if (attempt.parsed())

@@ -54,9 +54,9 @@ class Recording {
     const double bytes = snapshot_bytes(model);
     const Spent frame_byte = (per_frame(side) - frame) / bytes;
     keep("snapshot_byte", frame_byte);
-    Spent large = best(scene(side, 1, 1)) - plain - frame_byte * (2 * bytes);
-    large.bytes -= static_cast<double>(plan(model).memory_bytes) + kept_snapshot_bytes(model);
+    const Spent large = best(scene(side, 1, 1)) - plain - frame_byte * (2 * bytes);
     keep("particle", large / static_cast<double>(model.particle_count()));
+    keep("running", {0, 0, large.bytes + plain.bytes - array_bytes(model, plan(model))});
   }
 
  private:

@@ -46,6 +46,12 @@ std::int64_t own_bytes() {
 
 }  // namespace
 
+void give_back_freed_memory() {
+  constexpr int least_bytes_of_a_mapping = 32 << 10;
+  mallopt(M_MMAP_THRESHOLD, least_bytes_of_a_mapping);
+  mallopt(M_ARENA_MAX, 1);
+}
+
 std::string machine_name() { return value_in("/proc/cpuinfo", "model name"); }
 
 RunCost::RunCost(int threads)

@@ -10,6 +10,11 @@ namespace trajan {
 /// The model of the processor, as the operating system names it.
 std::string machine_name();
 
+/// From now on large arrays go back to the system as soon as they are freed, and all threads share what is kept of
+/// small ones: what a run takes depends on it, and not on the runs before it. To be called before there are
+/// threads.
+void give_back_freed_memory();
+
 /// What this process has spent since this object was made. One object at a time.
 class RunCost {
  public:

@@ -6,6 +6,7 @@
 
 #include "server/scene_digest.h"
 #include "server/store_jobs.h"
+#include "solver/cost/rates.h"
 
 namespace trajan::store {
 
@@ -15,6 +16,11 @@ v1::Prediction read_prediction(const Statement& query, int column) {
   v1::Prediction prediction;
   prediction.ParseFromString(query.text(column));
   return prediction;
+}
+
+/// Of the rates that it holds: those of one version of the solver, and of what is measured.
+std::string calibrated_version(const std::string& solver_version) {
+  return solver_version + ", rates " + std::to_string(rates_version);
 }
 
 /// Of a job that runs or waits.
@@ -80,14 +86,14 @@ std::vector<v1::Prediction> predictions(Database& database, const std::string& f
 void keep_calibration(Database& database, const v1::Calibration& calibration) {
   database.prepare("INSERT OR REPLACE INTO calibrations(machine, version, calibration) VALUES (?, ?, ?)")
       .bind(1, calibration.machine())
-      .bind(2, calibration.solver_version())
+      .bind(2, calibrated_version(calibration.solver_version()))
       .bind_blob(3, calibration.SerializeAsString())
       .run();
 }
 
 std::optional<v1::Calibration> find_calibration(Database& database, const std::string& machine) {
   Statement query = database.prepare("SELECT calibration FROM calibrations WHERE machine = ? AND version = ?");
-  if (!query.bind(1, machine).bind(2, TRAJAN_VERSION).step()) return std::nullopt;
+  if (!query.bind(1, machine).bind(2, calibrated_version(TRAJAN_VERSION)).step()) return std::nullopt;
   v1::Calibration calibration;
   calibration.ParseFromString(query.text(0));
   return calibration;

@@ -88,31 +88,47 @@ void plan_implicit_steps(const Model& model, std::int64_t asked, ModelPlan& plan
   plan.time_step_limit = "analysis";
 }
 
-bool solves_for_displacements(const Model& model) {
-  return !std::holds_alternative<ExplicitDynamics>(model.analysis) &&
-         !std::holds_alternative<Relaxation>(model.analysis);
+/// Entries of a column of a Cholesky factor by nested dissection (George 1973): in the plane they grow with the
+/// logarithm of the nodes across the body, in space with their number, the functions' reach being as many times as
+/// wide. The constant is that of beams and membranes of 10^3 to 10^4 unknowns.
+double entries_of_factor(const double (&nodes)[3], int axes, double reach) {
+  constexpr double of_node = 6;
+  const double across = std::max(2.0, *std::min_element(nodes, nodes + axes));
+  const double separator = axes == 3 ? across : std::log2(across);
+  return of_node * axes * (reach - 1) * separator;
 }
 
-/// Of particles' stencils and tangents and of sparse matrices, but not of their factors, of which only the solver
-/// knows how full they are.
+/// Of particles' stencils and tangents, of sparse matrices and of their factor.
 std::int64_t memory_of_matrices(const Model& model, const Body& body, double active_cells) {
-  constexpr double matrices = 6, bytes_per_entry = sizeof(double) + sizeof(int);
+  // With what assembling and ordering hold of them, and the initial stress' stiffness where loads of buckling are
+  // sought.
+  const double matrices = std::holds_alternative<Buckling>(model.analysis) ? 10 : 7;
+  constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
   const int axes = grid_axes(model.dimension), degree = polynomial_degree(model.numerics.shape_functions);
   const bool wide = kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->layout.wide;
   const double reach = degree == 3 ? 4 : wide ? 3 : 2;
   const double lengths[] = {static_cast<double>(body.lattice.columns) * body.lattice.spacing.x,
                             static_cast<double>(body.lattice.rows) * body.lattice.spacing.y,
                             static_cast<double>(body.lattice.planes) * body.lattice.spacing.z};
-  double nodes = active_cells;
-  for (int axis = 0; axis < axes; ++axis) nodes *= 1 + (reach - 1) * model.grid.cell / lengths[axis];
+  double nodes = active_cells, nodes_along[3] = {};
+  for (int axis = 0; axis < axes; ++axis) {
+    nodes *= 1 + (reach - 1) * model.grid.cell / lengths[axis];
+    nodes_along[axis] = lengths[axis] / model.grid.cell + reach - 1;
+  }
   const double components = axes * axes, row = axes * std::pow(2 * reach - 1, axes);
   const double of_node = 3 * sizeof(std::uint32_t) + sizeof(double) * (1.0 + axes);
   const double of_particle = std::pow(reach, axes) * of_node + sizeof(double) * components * (components + 2);
-  return static_cast<std::int64_t>(nodes * axes * row * matrices * bytes_per_entry +
-                                   static_cast<double>(body.particles) * of_particle);
+  const double of_unknown =
+      row * matrices * bytes_per_entry + entries_of_factor(nodes_along, axes, reach) * sizeof(double);
+  return static_cast<std::int64_t>(nodes * axes * of_unknown + static_cast<double>(body.particles) * of_particle);
 }
 
 }  // namespace
+
+bool solves_for_displacements(const Model& model) {
+  return !std::holds_alternative<ExplicitDynamics>(model.analysis) &&
+         !std::holds_alternative<Relaxation>(model.analysis);
+}
 
 ModelPlan plan(const Model& model) {
   ModelPlan plan;

@@ -42,6 +42,9 @@ using StopRequest = std::function<bool(const RunProgress&)>;
 /// nor on interruptions in between. Throws only what the recorder throws, and std::bad_alloc.
 RunResult run(const Model& model, const RunOptions& options, Recorder& recorder, const StopRequest& stop);
 
+/// Whether the analysis solves systems of equations: all but explicit motions and relaxations do.
+bool solves_for_displacements(const Model& model);
+
 /// What will be modelled, for people who plan a run.
 struct ModelPlan {
   std::int64_t particles = 0;
@@ -49,7 +52,7 @@ struct ModelPlan {
   double time_step = 0;
   std::int64_t steps = 0;
   std::string time_step_limit;
-  std::int64_t memory_bytes = 0;  ///< without factors of matrices
+  std::int64_t memory_bytes = 0;
   struct Attribute {
     std::string name;
     int bytes = 0;  ///< per particle or node

@@ -13,6 +13,9 @@ namespace trajan {
 /// (solver/cost/run_time.h) and whoever measures rates (solver/cost/measure_rates.h) name them by these functions.
 using Rates = std::map<std::string, double>;
 
+/// To be raised when rates come, go or mean something else, so that machines are measured anew.
+constexpr int rates_version = 2;
+
 /// An explicit step with transfer FLIP and an elastic law in rate form: each "step", each of its "tile"s (see
 /// `weighted_tiles`) and "particle"s.
 std::string step_rate(Dimension, const Numerics&, std::string_view of);
@@ -39,7 +42,8 @@ std::string memory_rate();
 std::string waiting_rate();
 /// Recording and what goes with it: a "run" from its beginning to its finished file without what follows, each
 /// "particle" of it; a "snapshot" and each "snapshot_byte"; each "row" of histories. Of wall time, with waiting
-/// for the disk, and of processor time.
+/// for the disk, and of processor time. Of memory: what a "run" of next to nothing holds at most, and what one
+/// holds beside its arrays while it is "running".
 std::string recording_rate(std::string_view of);
 std::string processing_rate(std::string_view of);
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "solver/results/chunks.h"
 #include "solver/schemes/scheme.h"
 #include "solver/transfers/transfer.h"
 
@@ -38,6 +39,10 @@ class RateTable {
   const Rates& rates_;
   bool complete_ = true;
 };
+
+/// Laws and transfers are measured as differences, which noise may make too small; none makes a step five times as
+/// fast.
+double with_difference(double plain, double difference) { return std::max(plain + difference, plain / 5); }
 
 double factor_work(const Model& model) {
   const Layout& layout = kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->layout;
@@ -79,7 +84,8 @@ bool is_linear(const Model& model) {
 
 double explicit_step_seconds(const Model& model, const StepSize& size, RateTable& rates) {
   const auto of = [&](const char* part) { return rates[step_rate(model.dimension, model.numerics, part)]; };
-  double seconds = of("step") + of("tile") * size.tiles + of("particle") * size.particles;
+  const double plain = of("step") + of("tile") * size.tiles + of("particle") * size.particles;
+  double difference = 0;
   if (model.numerics.transfer != Numerics{}.transfer) {
     Numerics numerics = model.numerics;
     constexpr int measured_orders = 3;
@@ -95,12 +101,13 @@ double explicit_step_seconds(const Model& model, const StepSize& size, RateTable
       numerics.transfer_order = measured_orders - 1;
       more += (order - measured_orders) * (most - rates[transfer_rate(model.dimension, numerics)]);
     }
-    seconds += more * size.particles;
+    difference += more * size.particles;
   }
   const bool total = is_total_lagrangian(model.numerics.scheme);
   for (const Body& body : model.bodies)
-    seconds += rates[law_rate(model.dimension, total, model.materials[body.material].kind->name)] *
-               static_cast<double>(body.particles);
+    difference += rates[law_rate(model.dimension, total, model.materials[body.material].kind->name)] *
+                  static_cast<double>(body.particles);
+  double seconds = with_difference(plain, difference);
   if (model.contacts.fields > 1)
     seconds += rates[contact_rate(model.dimension, model.numerics.shape_functions)] * size.layer *
                (model.contacts.fields - 1);
@@ -112,11 +119,11 @@ double iteration(const Model& model, const StepSize& size, RateTable& rates) {
   const auto of = [&](const char* part) {
     return rates[iteration_rate(model.dimension, model.numerics.shape_functions, part)];
   };
-  double seconds = of("assembly") * size.particles + of("factors") * size.factor_work;
+  double difference = 0;
   for (const Body& body : model.bodies)
-    seconds += rates[tangent_rate(model.dimension, model.materials[body.material].kind->name)] *
-               static_cast<double>(body.particles);
-  return seconds;
+    difference += rates[tangent_rate(model.dimension, model.materials[body.material].kind->name)] *
+                  static_cast<double>(body.particles);
+  return with_difference(of("assembly") * size.particles + of("factors") * size.factor_work, difference);
 }
 
 /// Steps and what they take together.
@@ -149,6 +156,29 @@ std::vector<std::size_t> stored_components(const Model& model) {
   return components;
 }
 
+/// Of a snapshot in memory.
+double copied_snapshot_bytes(const Model& model) {
+  std::size_t components = 2 * vector_components(model.dimension).size();
+  for (const RecordedField& field : model.outputs.snapshot_fields)
+    components += std::max<std::size_t>(1, field.components.size());
+  return static_cast<double>(sizeof(double) * components) * static_cast<double>(model.particle_count());
+}
+
+/// HDF5 keeps what fits into a mebibyte of the chunks of each dataset.
+double cached_chunk_bytes(const Model& model) {
+  constexpr double most = 1 << 20;
+  if (model.outputs.samples_per_snapshot == 0) return 0;
+  const auto snapshots = static_cast<double>(model.outputs.samples / model.outputs.samples_per_snapshot + 1);
+  const auto particles = static_cast<double>(model.particle_count());
+  const double rows = std::min(particles, static_cast<double>(results::rows_per_chunk));
+  double sum = 0;
+  for (const std::size_t components : stored_components(model)) {
+    const double chunk = static_cast<double>(sizeof(double) * components) * rows;
+    sum += chunk * std::min(std::floor(most / chunk), std::ceil(snapshots * particles / rows));
+  }
+  return sum;
+}
+
 }  // namespace
 
 StepSize step_size(const Model& model, const ModelPlan& plan) {
@@ -164,29 +194,26 @@ StepSize step_size(const Model& model, const ModelPlan& plan) {
   return size;
 }
 
+/// The largest of what is held while the solver runs and while the file is finished: then the solver's arrays are
+/// gone.
 std::optional<double> run_memory(const Model& model, const ModelPlan& plan, const Rates& bytes) {
   RateTable table(bytes);
+  // What a worker takes to speak with its server; rates are measured without one.
+  constexpr double spoken = 600 << 10;
   // Rates are of rows without probes.
   const double columns_of_rate = 8, columns = static_cast<double>(history_columns(model).size());
-  const double memory = static_cast<double>(plan.memory_bytes) + kept_snapshot_bytes(model) +
-                        table[recording_rate("run")] +
-                        table[recording_rate("particle")] * static_cast<double>(plan.particles) +
-                        table[recording_rate("row")] * static_cast<double>(model.outputs.samples) * (columns + 1) /
-                            (columns_of_rate + 1);
-  return table.complete() ? std::optional(memory) : std::nullopt;
+  const double rows = table[recording_rate("row")] * static_cast<double>(model.outputs.samples) * (columns + 1) /
+                      (columns_of_rate + 1);
+  const double running = table[recording_rate("running")] + array_bytes(model, plan);
+  const double finishing = table[recording_rate("run")] + cached_chunk_bytes(model);
+  return table.complete() ? std::optional(spoken + rows + std::max(running, finishing)) : std::nullopt;
 }
 
-/// HDF5 keeps up to a mebibyte of the chunks of each dataset. Of one snapshot there is a copy that waits to be
-/// written while the next one is made.
-double kept_snapshot_bytes(const Model& model) {
-  constexpr double most = 1 << 20, copies = 2;
-  if (model.outputs.samples_per_snapshot == 0) return 0;
-  const auto snapshots = static_cast<double>(model.outputs.samples / model.outputs.samples_per_snapshot + 1);
-  double sum = copies * snapshot_bytes(model);
-  for (const std::size_t components : stored_components(model))
-    sum += std::min(most, snapshots * static_cast<double>(sizeof(double) * components) *
-                              static_cast<double>(model.particle_count()));
-  return sum;
+/// One snapshot is being made, and a copy of one is being written meanwhile.
+double array_bytes(const Model& model, const ModelPlan& plan) {
+  constexpr double copies = 2;
+  const double snapshots = model.outputs.samples_per_snapshot == 0 ? 0 : copies * copied_snapshot_bytes(model);
+  return static_cast<double>(plan.memory_bytes) + snapshots + cached_chunk_bytes(model);
 }
 
 double snapshot_bytes(const Model& model) {

@@ -35,8 +35,8 @@ std::optional<RunTime> run_time(const Model& model, const ModelPlan& plan, int t
 /// Bytes that a run adds to its process, at most; `bytes`: of recording, by the names of rates.
 std::optional<double> run_memory(const Model& model, const ModelPlan& plan, const Rates& bytes);
 
-/// What is kept of snapshots in memory.
-double kept_snapshot_bytes(const Model& model);
+/// Of the arrays that are held while a run goes on, those that wait to be written among them.
+double array_bytes(const Model& model, const ModelPlan& plan);
 
 /// Of a snapshot in the result file, without what all snapshots share.
 double snapshot_bytes(const Model& model);

@@ -6,11 +6,12 @@
 #include <functional>
 #include <stdexcept>
 
+#include "solver/results/chunks.h"
+
 namespace trajan::results {
 
 namespace {
 
-constexpr hsize_t rows_per_chunk = 16384;
 constexpr hsize_t steps_per_chunk = 128;
 constexpr std::array<const char*, 4> topologies = {"Vertices", "Lines", "Polygons", "Strips"};
 
@@ -56,7 +57,7 @@ void write_constant(hid_t group, const std::string& name, hsize_t count, const s
   Dataset data = Dataset::create<T>(group, name, 0, chunk_for(count));
   std::vector<T> block;
   for (hsize_t first = 0; first < count; first += block.size()) {
-    block.resize(std::min(rows_per_chunk, count - first));
+    block.resize(std::min<hsize_t>(rows_per_chunk, count - first));
     for (hsize_t i = 0; i < block.size(); ++i) block[i] = value(first + i);
     data.write<T>(first, block);
   }
@@ -181,7 +182,7 @@ void Snapshots::write_field(hsize_t index, Dataset& data, const RecordedField& f
   assert(values.size() == particles_ * places.size());
   std::vector<double> block;
   for (hsize_t first = 0; first < particles_; first += rows_per_chunk) {
-    const hsize_t count = std::min(rows_per_chunk, particles_ - first);
+    const hsize_t count = std::min<hsize_t>(rows_per_chunk, particles_ - first);
     block.assign(count * width, 0.0);
     for (hsize_t p = 0; p < count; ++p)
       for (std::size_t c = 0; c < places.size(); ++c)

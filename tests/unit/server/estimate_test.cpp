@@ -47,6 +47,7 @@ v1::Calibration one_microsecond() {
   seconds[memory_rate()] = seconds[formula_rate()] = 0;
   for (const char* of : {"run", "row", "particle", "snapshot", "snapshot_byte"})
     seconds[recording_rate(of)] = seconds[processing_rate(of)] = bytes[recording_rate(of)] = 0;
+  bytes[recording_rate("running")] = 0;
   return calibration;
 }
 
