@@ -36,6 +36,10 @@ RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle, st
 void RigidContact::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
   held_ = &held;
   touches_.assign(tiles.size() * TileNodes::count, Touch::none);
+  if (tiles.empty()) return;
+  const Vector a = frame_.place(tiles[0], 0), b = frame_.place(tiles[0], TileNodes::count - 1);
+  to_centre_ = {(b.x - a.x) / 2, (b.y - a.y) / 2, (b.z - a.z) / 2};
+  reach_ = std::hypot(to_centre_[0], to_centre_[1], to_centre_[2]) + frame_.cell;
 }
 
 /// What sticks for good or may not part is held from the first, wherever its surface goes by rounding.
@@ -62,10 +66,10 @@ double RigidContact::distance(const TileNodes& nodes, int node, Components& norm
 }
 
 bool RigidContact::may_touch(const TileNodes& nodes) const {
-  const Vector a = frame_.place(nodes, 0), b = frame_.place(nodes, TileNodes::count - 1);
+  const Vector first = frame_.place(nodes, 0);
   Components normal;
-  return shape_.distance({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}, normal) <=
-         std::hypot(b.x - a.x, b.y - a.y, b.z - a.z) / 2 + frame_.cell;
+  return shape_.distance({first.x + to_centre_[0], first.y + to_centre_[1], first.z + to_centre_[2]}, normal) <=
+         reach_;
 }
 
 RigidContact::Components RigidContact::relative_velocity(const TileNodes& nodes, int node) const {

@@ -41,6 +41,8 @@ class RigidContact : public Condition {
   std::size_t condition_;
   GridFrame frame_;
   PrescribedVelocities velocities_;
+  Components to_centre_{};          ///< of a tile from its first node
+  double reach_ = 0;                ///< of a tile's nodes from its centre, and a cell more
   RigidShape shape_;                ///< now
   const BodyGaps* gaps_ = nullptr;  ///< none: nodes within are felt however far their bodies are
   Components velocity_{};           ///< after the kick

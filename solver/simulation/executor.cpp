@@ -246,7 +246,7 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
   if (account_.watched()) account_.balance_of_tile(tile) = force_balance(block, axes_);
   if (looks_for_unborne_forces_ && has_unborne_forces(block, axes_)) unborne_forces_ = true;
   if (!accounts_) return;
-  motion_.account(block);
+  if (!loads_.none() || model_.damping > 0) motion_.account(block);
   account_.of_tile(tile).back() = {block.work, block.dissipated, {}};
 }
 

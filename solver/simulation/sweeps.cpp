@@ -46,7 +46,7 @@ Sweeps::Sweeps(const Model& model, const Transfer& kind, const TransferKernels& 
       transfer_(transfer),
       transfer_passes_(kind.passes(transfer, motion_, model.numerics)),
       sum_quantities_(sum_quantities),
-      loads_(sum_quantities > quantities(sum_load, axes_)) {}
+      loads_(!model.body_loads.empty()) {}
 
 std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::size_t index) const {
   const bool hoop = model_.dimension == Dimension::axisymmetric;
