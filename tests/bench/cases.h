@@ -10,7 +10,7 @@ namespace trajan::bench {
 
 struct Case {
   Choice choice;
-  Model (*make)(const Choice&, double particles);
+  Scene (*make)(const Choice&, double particles);
 };
 
 /// Everything that is measured, one case of each kind.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "solver/analyses/run.h"
+#include "solver/model/validate.h"
 #include "solver/simulation/simulation.h"
 
 namespace trajan::bench {
@@ -102,7 +103,7 @@ void measure_run(const Model& model, int threads, Measurement& measured) {
 Measurement measure(const Case& of, double particles, int threads) {
   Measurement measured;
   const Clock::time_point begin = Clock::now();
-  const Model model = of.make(of.choice, particles);
+  const Model model = validate(of.make(of.choice, particles));
   measured.validation = seconds_since(begin);
   measured.particles = model.particle_count();
   if (of.choice.kind == Kind::explicit_steps)

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/model/validate.h"
-
 namespace trajan::bench {
 namespace {
 
@@ -28,17 +26,17 @@ Scene scene_of(const Choice& choice, double cell) {
 
 }  // namespace
 
-Model discs(const Choice& choice, double particles) {
+Scene discs(const Choice& choice, double particles) {
   const double area = 2 * std::numbers::pi * 0.2 * 0.2;
   Scene scene = scene_of(choice, 1 / std::round(std::sqrt(particles / (4 * area))));
   scene.domain.lower = {-100, -100}, scene.domain.upper = {101, 101};
   scene.bodies = {{"one", "solid", Disc{{0.2, 0.2}, 0.2}, 2, {"0.1", "0.1"}},
                   {"two", "solid", Disc{{0.8, 0.8}, 0.2}, 2, {"-0.1", "-0.1"}}};
   if (choice.contact) scene.contacts = {{{}, 0.2}};
-  return validate(scene);
+  return scene;
 }
 
-Model block(const Choice& choice, double particles) {
+Scene block(const Choice& choice, double particles) {
   const bool solid = choice.dimension == Dimension::solid;
   const double per_side = solid ? std::cbrt(particles) : std::sqrt(particles);
   Scene scene = scene_of(choice, 1 / std::round(per_side / 2));
@@ -48,22 +46,22 @@ Model block(const Choice& choice, double particles) {
   scene.domain.lower = lower, scene.domain.upper = upper;
   scene.bodies = {{"block", "solid", Box{{}, {1, 1, top}}, 2, {"0", "1e-3 * y"}}};
   scene.boundaries = {{"ground", Edge::bottom, Fixed{{Axis::y}}}};
-  return validate(scene);
+  return scene;
 }
 
-Model bar(const Choice& choice, double particles) {
+Scene bar(const Choice& choice, double particles) {
   Scene scene = scene_of(choice, 1 / std::round(std::sqrt(particles / (4 * 8))));
   scene.domain.lower = {0, -4}, scene.domain.upper = {16, 5};
   scene.bodies = {{"bar", "solid", Box{{0, 0}, {8, 1}}, 2, {"1e-3 * x", "0"}}};
   scene.boundaries = {{"wall", Edge::left, Fixed{}}};
-  if (choice.kind == Kind::explicit_steps) return validate(scene);
+  if (choice.kind == Kind::explicit_steps) return scene;
 
   scene.bodies[0].initial_velocity = {};
   scene.outputs.samples = choice.kind == Kind::modal ? 5 : 1;
   scene.analysis.end_time = 1;
   if (choice.kind == Kind::modal) {
     scene.analysis.kind = Modal{};
-    return validate(scene);
+    return scene;
   }
   EdgeTraction load;
   load.body = "bar", load.edge = Edge::right, load.traction = {0, -0.1};
@@ -72,7 +70,7 @@ Model bar(const Choice& choice, double particles) {
     scene.analysis.kind = QuasiStatic{.load_steps = 3};
   else
     scene.analysis.kind = ImplicitDynamics{.time_steps = 3};
-  return validate(scene);
+  return scene;
 }
 
 }  // namespace trajan::bench

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "solver/model/model.h"
+#include "solver/scene/scene.h"
 
 namespace trajan::bench {
 
@@ -24,14 +24,14 @@ struct Choice {
 
 /// The colliding discs of Sulsky, Chen and Schreyer (1994), with room to fly apart however many steps are asked
 /// for, of about so many particles; two to a cell's side.
-Model discs(const Choice& choice, double particles);
+Scene discs(const Choice& choice, double particles);
 
 /// A square, a cube or (axisymmetric) a cylinder of unit side that stands on its lowest face and vibrates a
 /// little.
-Model block(const Choice& choice, double particles);
+Scene block(const Choice& choice, double particles);
 
 /// A beam of length 8 and height 1 that is held at its left end: explicit steps while it vibrates along itself,
 /// otherwise bent by a load at its end.
-Model bar(const Choice& choice, double particles);
+Scene bar(const Choice& choice, double particles);
 
 }  // namespace trajan::bench

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solver/model/validate.h"
 #include "solver/simulation/simulation.h"
 #include "tests/bench/cases.h"
 
@@ -37,7 +38,7 @@ std::vector<BodyParticles> copies(const std::vector<BodyParticles>& bodies) {
 /// What particles carry after some steps, by kernels of this instruction set.
 std::vector<BodyParticles> state_after_steps(const bench::Case& of, const Kernels& kernels_of) {
   chosen = &kernels_of;
-  const Model model = of.make(of.choice, 2000);
+  const Model model = validate(of.make(of.choice, 2000));
   Simulation simulation(model, 1);
   for (int i = 0; i < 20; ++i) simulation.step();
   return copies(simulation.executor().bodies());
