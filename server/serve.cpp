@@ -1,3 +1,5 @@
+#include <grpc/grpc.h>
+
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -35,6 +37,9 @@ int serve(const ServeOptions& options) {
   const sigset_t signals = stop_signals();
   // Blocked in every thread; this one waits for them.
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  // Never given back: when the last user of gRPC leaves, it may wait ten seconds for connections that are just
+  // closing, and the process ends here anyway.
+  grpc_init();
   Server server(options);
   for (const std::string& address : server.addresses()) std::cout << "listening on " << address << std::endl;
   int signal = 0;
