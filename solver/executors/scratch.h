@@ -43,6 +43,12 @@ struct Levers {
   BlockArray<Number> moment[3];  ///< of a vector's components, per inertia and cell size
 };
 
+/// Of particles while their damage grows.
+struct GrowingDamage {
+  BlockDoubles value;  ///< what damage follows from, and in the end damage itself
+  BlockDoubles stiffness, stored_share;
+};
+
 /// Working memory of one thread: what laws see of it.
 struct alignas(64) Scratch {
   virtual ~Scratch() = default;
@@ -55,7 +61,8 @@ struct alignas(64) Scratch {
   BlockDoubles force[9];       ///< volume times stress over cell size, row by row
   BlockDoubles virial_rest;    ///< axisymmetric: volume times hoop stress
   BlockDoubles across[2];      ///< strains across plane or bar while a rate law is solved for them
-  double deform_share = 1;     ///< of the step's drift by which laws deform
+  GrowingDamage damage;
+  double deform_share = 1;  ///< of the step's drift by which laws deform
   Trouble trouble;
 };
 

@@ -30,6 +30,8 @@ class Damaged : private Base {
       {"dissipated_energy", "stress", "energy per reference volume that has become cracks", 0}};
   template <class T = double>
   using History = std::array<T, 4>;
+  template <class T>
+  using Drive = WeibullDamage::Drive<T>;
 
   static Objection check(const double* values, Dimension dimension) {
     if constexpr (requires { Base::check(values, dimension); })
@@ -46,21 +48,23 @@ class Damaged : private Base {
       : Base(values, density), damage_(values + std::size(Base::parameters)) {}
 
   void begin(std::uint64_t particle, double* h) const {
-    h[1] = damage_.stiffness(0.0);
+    h[1] = damage_.pores(0.0).stiffness;
     h[2] = damage_.relative_strength(particle);
   }
   double dissipated_energy(const History<>& h) const { return h[3]; }
+  const WeibullDamage& damage() const { return damage_; }
 
   template <int N, class T>
   Response<N, T> response(const Tensor<N, T>& f, const History<T>& h) const {
     const Response<N, T> r = Base::response(f);
     const T compressive = Extremes<T>((1.0 / determinant(f)) * r.kirchhoff).compressive;
-    return {h[1] * r.kirchhoff, (1.0 - h[0]) * damage_.stored_share(compressive) * r.energy};
+    return {h[1] * r.kirchhoff, (1.0 - h[0]) * damage_.pores(compressive).stored_share * r.energy};
   }
   template <int N, class T>
   void evolve(const Tensor<N, T>& f, double, History<T>& h) const {
     const Response<N, T> r = Base::response(f);
-    grow((1.0 / determinant(f)) * r.kirchhoff, r.energy, h);
+    const Drive<T> drive = drive_of((1.0 / determinant(f)) * r.kirchhoff, h);
+    grow(damage_.damage(drive.ratio), drive, r.energy, h);
   }
   /// Without damage and pores, which is more than with them.
   template <Dimension D, int N>
@@ -73,7 +77,14 @@ class Damaged : private Base {
     RateState<N, T> base = undamaged(state);
     Base::advance(g, dt, base);
     state.stress = base.stress;
-    grow(base.stress, base.volume_ratio * Base::energy_density(base), state.history);
+  }
+  template <int N, class T>
+  Drive<T> drive(const RateState<N, T, 4>& state) const requires rate_form {
+    return drive_of(state.stress, state.history);
+  }
+  template <int N, class T>
+  void grow(const T& failed, const Drive<T>& drive, RateState<N, T, 4>& state) const requires rate_form {
+    grow(failed, drive, state.volume_ratio * Base::energy_density(undamaged(state)), state.history);
   }
   template <int N, class T>
   void relax(Tensor<N, T>& g, const RateState<N, T, 4>& state) const requires Relaxing<Base, N, T> {
@@ -85,7 +96,7 @@ class Damaged : private Base {
   }
   template <int N>
   double energy_density(const RateState<N, double, 4>& state) const {
-    const double share = damage_.stored_share(Extremes<double>(state.stress).compressive);
+    const double share = damage_.pores(Extremes<double>(state.stress).compressive).stored_share;
     return (1 - state.history[0]) * share * Base::energy_density(undamaged(state));
   }
   template <int N>
@@ -114,16 +125,19 @@ class Damaged : private Base {
     }
   };
 
-  /// Lets damage grow to what belongs to this Cauchy stress and energy per reference volume of the
-  /// base.
+  /// By the base's Cauchy stress.
   template <int N, class T>
-  void grow(const SymmetricTensor<N, T>& stress, const T& energy, History<T>& h) const {
+  Drive<T> drive_of(const SymmetricTensor<N, T>& stress, const History<T>& h) const {
     const Extremes<T> s(stress);
-    const T stiffness = damage_.stiffness(s.compressive);
-    const T grown = larger(h[0], damage_.damage(stiffness * s.compressive, stiffness * s.tensile, h[2]));
-    h[3] = h[3] + (grown - h[0]) * damage_.stored_share(s.compressive) * energy;
+    return damage_.drive(s.compressive, s.tensile, h[2]);
+  }
+  /// Lets damage grow to what has failed, at this energy per reference volume of the base.
+  template <class T>
+  void grow(const T& failed, const Drive<T>& drive, const T& energy, History<T>& h) const {
+    const T grown = larger(h[0], failed);
+    h[3] = h[3] + (grown - h[0]) * drive.pores.stored_share * energy;
     h[0] = grown;
-    h[1] = (1.0 - grown) * stiffness;
+    h[1] = (1.0 - grown) * drive.pores.stiffness;
   }
 
   WeibullDamage damage_;

@@ -58,11 +58,21 @@ bool correct_rest(const Law& law, const HistoryOf<Law>& before, double dt, Tenso
   return is_solved<K>(correction);
 }
 
-/// A step of a rate law: volume first, so that the law knows the end of the step.
+/// A step of a rate law but for its damage: volume first, so that the law knows the end of the step.
 template <class Law, int N, class T, int H>
-void advance_state(const Law& law, const Tensor<N, T>& g, double dt, RateState<N, T, H>& state) {
+void advance_undamaged(const Law& law, const Tensor<N, T>& g, double dt, RateState<N, T, H>& state) {
   state.volume_ratio = state.volume_ratio * determinant(plus_diagonal(g, 1.0));
   law.advance(g, dt, state);
+}
+
+/// A step of a rate law.
+template <class Law, int N, class T, int H>
+void advance_state(const Law& law, const Tensor<N, T>& g, double dt, RateState<N, T, H>& state) {
+  advance_undamaged(law, g, dt, state);
+  if constexpr (is_damaged<Law>()) {
+    const auto drive = law.drive(state);
+    law.grow(law.damage().damage(drive.ratio), drive, state);
+  }
 }
 
 /// Corrects the strains across of the step's displacement gradient `g` once, by at most 1 / 4.

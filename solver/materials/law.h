@@ -52,7 +52,8 @@
 ///   template <int N>
 ///   LameConstants moduli(const RateState<N, double, count>& state) const;
 /// `g` is the displacement gradient of the step with respect to the configuration at its beginning; volume_ratio
-/// is already that of the end. `moduli` are the tangent ones of the fastest waves. It may give
+/// is already that of the end. `moduli` are the tangent ones of the fastest waves. A law with damage
+/// lets it grow after that (solver/materials/damaged.h). A law may give
 ///   template <int N> double energy_density(const RateState<N, double, count>&) const;   per current volume
 ///   template <int N, class T> SymmetricTensor<N, T> cauchy(const RateState<N, T, count>&) const;
 ///                                                      what acts on others, if not the stress of the state
@@ -74,6 +75,11 @@ constexpr bool is_geometrically_linear() {
     return Law::geometrically_linear;
   else
     return false;
+}
+
+template <class Law>
+constexpr bool is_damaged() {
+  return requires(const Law& law) { law.damage(); };
 }
 
 /// How many history variables a law has.

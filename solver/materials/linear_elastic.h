@@ -35,9 +35,8 @@ class LinearElastic {
   T energy_density(const RateState<N, T>& state) const {
     const SymmetricTensor<N, T>& s = state.stress;
     const T pressure = trace(s);
-    return (double_contraction(s, s) -
-            lame_.poissons_ratio() / (1 + lame_.poissons_ratio()) * pressure * pressure) /
-           (4 * lame_.mu);
+    return (0.25 / lame_.mu) * (double_contraction(s, s) -
+                                lame_.poissons_ratio() / (1 + lame_.poissons_ratio()) * pressure * pressure);
   }
 
   template <int N>

@@ -12,11 +12,14 @@ Dual<K> exponential(const Dual<K>& a) {
   return chain(a, value, value);
 }
 
-/// a^exponent for a > 0; what is less, 0 too, counts as 2^-1000.
+/// The logarithm of a^exponent for a > 0; what is less, 0 too, counts as 2^-1000.
+template <class T>
+T log_power(const T& a, double exponent) {
+  return exponent * natural_logarithm(choose(a > T(0x1p-1000), a, T(0x1p-1000)));
+}
 template <class T>
 T power(const T& a, double exponent) {
-  const T base = choose(a > T(0x1p-1000), a, T(0x1p-1000));
-  return exponential(exponent * natural_logarithm(base));
+  return exponential(log_power(a, exponent));
 }
 
 template <class T>

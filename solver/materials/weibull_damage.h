@@ -61,26 +61,50 @@ class WeibullDamage {
     return power(-natural_logarithm(random(particle)), 1 / scatter_shape_);
   }
 
-  /// Stress in shares of the undamaged one, for the largest compressive principal stress s without damage.
   template <class T>
-  T stiffness(const T& s) const {
-    const T x = choose(s > 0, s, T(0.0)) * inverse_closure_;
-    return choose(x < 1, open_ + 0.5 * (1 - open_) * x, 1 - 0.5 * (1 - open_) / choose(x < 1, T(1.0), x));
-  }
-  /// The energy that such a stress has stored, in shares of that of the elastic law, if it rose in proportion.
+  struct Pores {
+    T stiffness;     ///< stress in shares of the undamaged one
+    T stored_share;  ///< energy that it has stored, in shares of that of the elastic law, if it rose in proportion
+  };
+  /// For the largest compressive principal stress s without damage.
   template <class T>
-  T stored_share(const T& s) const {
-    const T x = choose(s > 0, s, T(0.0)) * inverse_closure_, y = choose(x < 1, T(1.0), x);
+  Pores<T> pores(const T& s) const {
+    const T x = choose(s > 0, s, T(0.0)) * inverse_closure_, y = choose(x < 1, T(1.0), x), q = 1.0 / y;
     const double rest = 1 - open_;
-    return choose(x < 1, open_ + rest / 3 * x, 1 - (rest * (y - 1) + 1 - open_ - rest / 3) / (y * y));
+    return {choose(x < 1, open_ + 0.5 * rest * x, 1 - 0.5 * rest * q),
+            choose(x < 1, open_ + rest / 3 * x, 1 - rest * (y - 1.0 / 3) * (q * q))};
   }
-  /// Damage under these principal stresses, each taken in the direction of failure.
+  /// What damage grows by.
   template <class T>
-  T damage(const T& compressive, const T& tensile, const T& strength) const {
-    const T by_compression = compressive * inverse_compressive_, by_tension = tensile * inverse_tensile_;
-    const T ratio = choose(by_compression > by_tension, by_compression, by_tension) / strength;
-    const T failed = 1 - exponential(-power(ratio, shape_));
+  struct Drive {
+    T ratio;  ///< sigma / f
+    Pores<T> pores;
+  };
+  /// Of these principal stresses of the elastic law, each taken in the direction of failure.
+  template <class T>
+  Drive<T> drive(const T& compressive, const T& tensile, const T& strength) const {
+    const Pores<T> open = pores(compressive);
+    const T ratio = larger(compressive * inverse_compressive_, tensile * inverse_tensile_) / strength;
+    return {open.stiffness * ratio, open};
+  }
+  /// m ln(sigma / f): the logarithm of (sigma / f)^m, which of a distribution is its hazard summed up.
+  template <class T>
+  T log_hazard(const T& ratio) const {
+    return log_power(ratio, shape_);
+  }
+  template <class T>
+  T hazard(const T& log_hazard) const {
+    return exponential(log_hazard);
+  }
+  template <class T>
+  T failed(const T& hazard) const {
+    const T failed = 1 - exponential(-hazard);
     return choose(failed < largest_damage, failed, T(largest_damage));
+  }
+  /// The share that fails at this ratio of stress to strength.
+  template <class T>
+  T damage(const T& ratio) const {
+    return failed(hazard(log_hazard(ratio)));
   }
 
  private:
