@@ -28,9 +28,9 @@ MidStep<N, T> mid_step(const Tensor<N, T>& g) {
     for_pairs<N>([&](auto i, auto j) {
       a(i, j) = 0.25 * (m(i, j) - m(j, i));
       a(j, i) = -a(i, j);
-      sum = sum + a(i, j) * a(i, j);
+      sum = fused(a(i, j), a(i, j), sum);
     });
-    r.rotation = r.rotation + (2.0 / sum) * (a + product(a, a));
+    r.rotation = fused(2.0 / sum, a + product(a, a), r.rotation);
   }
   return r;
 }

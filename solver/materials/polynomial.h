@@ -2,19 +2,10 @@
 
 #include <bit>
 
-#include "solver/executors/instruction_set.h"
+#include "solver/materials/fused.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-/// a b + c, rounded once where the instruction set can.
-inline double fused(double a, double b, double c) {
-#ifdef __FMA__
-  return __builtin_fma(a, b, c);
-#else
-  return a * b + c;
-#endif
-}
 
 /// c[0] + c[1] x + ... + c[Count - 1] x^(Count - 1), of the powers x, x^2, x^4, x^8, by Estrin (1960): halves at
 /// once, where Horner's rule waits for every term.

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "solver/materials/fused.h"
 #include "solver/materials/unroll.h"
 
 namespace trajan {
@@ -73,6 +74,11 @@ constexpr A operator-(const A& a, const A& b) {
 template <AnyTensor A, class S>
 constexpr A operator*(const S& s, const A& a) {
   return for_components(a, [&](const auto& x) { return s * x; });
+}
+/// s a + b
+template <AnyTensor A, class S>
+constexpr A fused(const S& s, const A& a, const A& b) {
+  return for_components(a, b, [&](const auto& x, const auto& y) { return fused(s, x, y); });
 }
 /// a + s 1
 template <AnyTensor A, class S>

@@ -5,14 +5,21 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
+/// a b - c d
+template <class T>
+constexpr T cross(const T& a, const T& b, const T& c, const T& d) {
+  return fused(a, b, -(c * d));
+}
+
 template <AnyTensor A>
 constexpr typename A::Scalar determinant(const A& a) {
   const auto& d = a.diagonal;
   if constexpr (A::size == 1) return d[0] * d[1] * d[2];
-  if constexpr (A::size == 2) return (d[0] * d[1] - a(0, 1) * a(1, 0)) * d[2];
+  if constexpr (A::size == 2) return cross(d[0], d[1], a(0, 1), a(1, 0)) * d[2];
   if constexpr (A::size == 3)
-    return d[0] * (d[1] * d[2] - a(1, 2) * a(2, 1)) - a(0, 1) * (a(1, 0) * d[2] - a(1, 2) * a(2, 0)) +
-           a(0, 2) * (a(1, 0) * a(2, 1) - d[1] * a(2, 0));
+    return fused(
+        d[0], cross(d[1], d[2], a(1, 2), a(2, 1)),
+        cross(a(0, 2), cross(a(1, 0), a(2, 1), d[1], a(2, 0)), a(0, 1), cross(a(1, 0), d[2], a(1, 2), a(2, 0))));
 }
 
 template <AnyTensor A>
@@ -26,11 +33,11 @@ constexpr A inverse(const A& a) {
     unroll<3>([&](auto i) {
       unroll<3>([&](auto j) {
         constexpr int k = (i + 1) % 3, l = (i + 2) % 3, m = (j + 1) % 3, n = (j + 2) % 3;
-        r(j, i) = q * (a(k, m) * a(l, n) - a(k, n) * a(l, m));
+        r(j, i) = q * cross(a(k, m), a(l, n), a(k, n), a(l, m));
       });
     });
   } else if constexpr (A::size == 2) {
-    const T q = 1.0 / (d[0] * d[1] - a(0, 1) * a(1, 0));
+    const T q = 1.0 / cross(d[0], d[1], a(0, 1), a(1, 0));
     r.diagonal[0] = q * d[1];
     r.diagonal[1] = q * d[0];
     r.diagonal[2] = 1.0 / d[2];

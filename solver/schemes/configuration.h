@@ -21,7 +21,7 @@ TRAJAN_FLATTEN void deform_updated(Block& block) {
 #pragma GCC ivdep
   for (int i = 0; i < block.count; ++i) {
     const Tensor<N> f = deformation.at(i);
-    const Tensor<N> next = f + product(dt * gradient.at(i), f);
+    const Tensor<N> next = fused(dt, product(gradient.at(i), f), f);
     deformation.set(i, next);
     inverted += !(determinant(next) > 0);
   }
@@ -40,7 +40,7 @@ TRAJAN_FLATTEN void deform_total(Block& block) {
 #pragma GCC ivdep
   for (int i = 0; i < block.count; ++i) {
     const Tensor<N> f = deformation.at(i), rate = gradient.at(i);
-    const Tensor<N> next = f + dt * rate;
+    const Tensor<N> next = fused(dt, rate, f);
     deformation.set(i, next);
     if constexpr (RateForm) gradient.set(i, product(rate, inverse(f)));
     if constexpr (!RateForm) inverted += !(determinant(next) > 0);
