@@ -123,6 +123,11 @@ unsigned Sweeps::gathered(Pass pass) const {
   }
 }
 
+bool Sweeps::relocates(Pass pass) const {
+  const bool deforms = pass == Pass::deform || pass == Pass::deform_by_half;
+  return pass == Pass::move || (deforms && transfer_.needs_deformation);
+}
+
 Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>& bodies) {
   for (const auto& known : sweeps_)
     if (std::ranges::equal(known->passes, passes)) return *known;
@@ -140,8 +145,12 @@ Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     std::vector<Stage>& stages = sweep->stages.emplace_back();
-    for (Pass pass : passes)
+    bool located = false;  // not twice in one place: by TLMPM in a plane 4.5 -> 3.4 ns per particle and step
+    for (Pass pass : passes) {
+      if (pass == Pass::locate && located) continue;
       for (Stage stage : stages_of(pass, bodies[b], b)) stages.push_back(stage);
+      located = pass == Pass::locate || (located && !relocates(pass));
+    }
   }
   sweeps_.push_back(std::move(sweep));
   return *sweeps_.back();

@@ -94,7 +94,10 @@ inline void load_window(Scratch& scratch, const Neighbours& nodes, unsigned mask
         if constexpr (D > 1) at += y.row * L.tile_stride(1);
         if constexpr (D > 2) at += z.row * L.tile_stride(2);
         for (int i = 0; i < L.below; ++i) to[i] = Real(from[0][at + side - L.below + i]);
-        for (int i = 0; i < side; ++i) to[L.below + i] = Real(from[1][at + i]);
+        if constexpr (D > 1)
+          store(to + L.below, load<TileRow<L>>(from[1] + at));
+        else
+          for (int i = 0; i < side; ++i) to[L.below + i] = Real(from[1][at + i]);
         for (int i = 0; i < L.above; ++i) to[L.below + side + i] = Real(from[2][at + i]);
       }
   }
