@@ -27,6 +27,8 @@ struct Doubt {
   double from_nowhere, lost;
 };
 constexpr Doubt of_motion = {0.03, 0.15};
+/// Where nothing does work, collides or is smoothed all energy is known.
+constexpr Doubt of_free_motion = {0.02, 0.02};
 /// Work along load steps is added up by the trapezoidal rule; one that jumps to another equilibrium loses far
 /// more.
 constexpr Doubt of_load_steps = {0.05, 0.2};
@@ -208,9 +210,15 @@ double Simulation::common_energy() const {
   return 0.5 * square / mass;
 }
 
+/// Of one body by itself. USL always takes some energy.
+bool Simulation::is_free_motion() const {
+  return model_.bodies.size() == 1 && !has_contact(model_) && executor_.account().exchanged().work == 0 &&
+         model_.numerics.transfer == "FLIP" && model_.numerics.scheme != "USL";
+}
+
 std::optional<Warning> Simulation::energy_warning() {
   const bool statics = std::holds_alternative<QuasiStatic>(model_.analysis);
-  const Doubt& doubt = statics ? of_load_steps : of_motion;
+  const Doubt& doubt = statics ? of_load_steps : is_free_motion() ? of_free_motion : of_motion;
   const bool doubtful = from_nowhere_ > doubt.from_nowhere || from_nowhere_ < -doubt.lost;
   if (told_of_energy_ || !doubtful || !keeps_energy(model_)) return std::nullopt;
   told_of_energy_ = true;

@@ -57,6 +57,7 @@ class Simulation {
   Divergence explained(Divergence divergence);
   void measure();
   double common_energy() const;
+  bool is_free_motion() const;
   std::optional<Warning> energy_warning();
   void probe();
   void follow_probes();

@@ -13,7 +13,8 @@ struct Keeping {
 };
 /// FLIP keeps energy but for leapfrog's swaps, save under USL, which takes some (Bardenhagen 2002); the others
 /// smooth velocities in every step, and may take all of it. MUSL and USF take gradients at one end of each step,
-/// where moving particles see others than in its middle: of smooth functions that makes energy, and they warn.
+/// where moving particles see others than in its middle: of smooth functions that makes energy, and they warn. So
+/// does USAVG, of which rounding grows until it takes 2.5 % in 10^6 steps.
 constexpr Keeping kinds[] = {{"USF", "linear", "FLIP", true},
                              {"MUSL", "linear", "FLIP", true},
                              {"TLMPM", "linear", "FLIP", true},
@@ -42,11 +43,11 @@ std::vector<Extreme> long_runs(Size size) {
     extreme.name = std::string(kind.scheme) + " " + kind.shape_functions + " " + kind.transfer + ", " +
                    std::to_string(static_cast<int>(steps)) + " steps";
     extreme.claim = kind.keeps ? "drift of the energy" : "growth of the energy";
-    const bool makes = kind.shape_functions == std::string("quadratic_bspline") &&
-                       (kind.scheme == std::string("MUSL") || kind.scheme == std::string("USF"));
-    // What makes energy warns from 0.03 on, and what takes it warns too.
-    extreme.bound = makes ? 0.03 : 0.02;
-    extreme.may_stop = makes || !kind.keeps;
+    const bool errs =
+        kind.shape_functions == std::string("quadratic_bspline") && kind.scheme != std::string("TLMPM");
+    // Beyond that what keeps energy warns.
+    extreme.bound = 0.02;
+    extreme.may_stop = errs || !kind.keeps;
     Scene& scene = extreme.scene;
     scene = test::bar(kind.scheme, "linear_elastic", 0.5, 0.01);
     scene.domain = {Dimension::bar, {0}, {12}, 0.5, {}};

@@ -18,7 +18,9 @@ namespace trajan::stability {
 namespace {
 
 constexpr int samples = 6;
-constexpr double steps = 90, width = 16;  ///< of the domain, in cells; bodies are in its middle
+/// Cells of the domain, and before the bodies, which are in its middle: few come to its edge.
+constexpr double width = 64, before = 28;
+constexpr double steps = 90;
 
 template <class T>
 T one_of(std::initializer_list<T> values) {
@@ -47,7 +49,8 @@ MaterialDefinition any_material(bool thin) {
 /// Velocities of a body: some part of the wave speed, the same everywhere, and some that changes along it.
 VectorExpression any_velocity(int axes, double wave_speed, double cell) {
   const auto component = [&] {
-    const double uniform = 0.2 * share() * wave_speed, slope = 0.02 * share() * wave_speed / cell;
+    const double slope = 0.02 * share() * wave_speed / cell;
+    const double uniform = 0.2 * share() * wave_speed - slope * before * cell;
     const char* along = axes > 1 ? one_of({"x", "y"}) : "x";
     return number_text(uniform) + "+" + number_text(slope) + "*" + along;
   };
@@ -95,9 +98,9 @@ Scene any_scene() {
   const int bodies = one_of({1, 2});
   for (int b = 0; b < bodies; ++b) {
     // The second one is up to two cells beside the first.
-    const auto [left, right] = any_span(6 + 3 * b, cell);
-    const auto [bottom, top] = any_span(7, cell);
-    const auto [back, front] = any_span(7, cell);
+    const auto [left, right] = any_span(before + 3 * b, cell);
+    const auto [bottom, top] = any_span(before + 1, cell);
+    const auto [back, front] = any_span(before + 1, cell);
     const Box box{{left, axes > 1 ? bottom : 0, axes > 2 ? back : 0},
                   {right, axes > 1 ? top : 0, axes > 2 ? front : 0}};
     scene.bodies.push_back(
@@ -203,6 +206,9 @@ void keep_promises(const Scene& scene) {
   RC_PRE(run.model.has_value());
   RC_CLASSIFY(run.result.end == RunEnd::diverged, "stopped");
   RC_CLASSIFY(!run.result.warnings.empty(), "warned");
+  // Nothing of what follows depends on angular momentum.
+  std::erase_if(trial.first.result.warnings,
+                [](const auto& warning) { return warning.name == "angular momentum"; });
   // The bits depend neither on threads nor on a restart.
   trial.run_again(3, {});
   RC_ASSERT(same_end(trial.result_again, run.result));
