@@ -28,6 +28,8 @@ Extreme compared(const std::string& name, const std::string& column, double boun
   extreme.claim = "difference of " + column + " from doubles";
   extreme.bound = bound;
   extreme.scene = scene;
+  // Of what both do: in 10^6 steps MUSL loses 2 % of a vibration's energy.
+  extreme.may_warn = true;
   extreme.figure = [scene, column](const Attempt& run) { return difference(run, scene, column); };
   return extreme;
 }
