@@ -144,12 +144,17 @@ void estimate_by_trial(const Model& model, const Evidence& evidence, v1::Estimat
   *estimate.mutable_steps() = figure(trial.steps(), trial.whole() ? 1 : 1.1, source, trial.basis());
   *estimate.mutable_wall_seconds() = figure(cost.wall_seconds(), factor, source, trial.basis());
   *estimate.mutable_core_seconds() = figure(cost.core_seconds(), factor, source, trial.basis());
-  // Counted arrays say more than a process that is new does, but nobody can count factors.
+  // Counted arrays say more than a process that is new does, but nobody can count factors. What is recorded grows
+  // until the end.
   const auto memory = static_cast<double>(cost.memory_bytes());
   const bool counted = estimate.has_memory_bytes();
-  if (!counted || (solves_for_displacements(model) && estimate.memory_bytes().value() < memory))
+  const bool exceeds = counted && solves_for_displacements(model) && estimate.memory_bytes().value() < memory;
+  if (exceeds || (trial.whole() && !counted))
     *estimate.mutable_memory_bytes() = figure(memory, memory_factor, source, trial.basis());
-  estimate.clear_missing();
+  if (estimate.has_memory_bytes())
+    estimate.clear_missing();
+  else
+    estimate.set_missing("memory_bytes: this machine has not been measured yet");
 }
 
 }  // namespace
