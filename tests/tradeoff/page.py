@@ -12,20 +12,20 @@ PROJECT = HERE.parent.parent
 SCENES = {
     "cantilever_static": (
         "Static deflection of a beam",
-        "For static answers take implicit load steps: relaxation by explicit steps costs about ten times as much for the "
-        "same error, and where a beam is thick linear functions are cheaper than quadratic ones. One relaxation, by linear "
-        "functions and the coarsest cells, stopped near the start (an error of 100 %).",
+        "For static answers take implicit load steps: relaxation by explicit steps costs two to seven times as much for "
+        "the same error, and where a beam is thick linear functions are cheaper than quadratic ones.",
     ),
     "bar_musl": (
         "Waves in a bar",
-        "For waves take explicit steps and linear functions, in TLMPM with nine tenths of the largest time step; implicit "
-        "steps as long as the samples of the histories cost ten times as much and stay at 1 %, whatever the cells: there "
-        "the time steps err.",
+        "For waves take explicit steps and linear functions, by USL or in TLMPM with nine tenths of the largest time step; "
+        "implicit steps as long as the samples of the histories cost fifteen to forty times as much and stay at 1 %, "
+        "whatever the cells: there the time steps err.",
     ),
     "beam_modes": (
         "Frequency of a beam",
-        "For frequencies take modes with a lumped mass and linear functions: consistent masses and B-splines cost two to "
-        "five times as much for the same error.",
+        "For frequencies take modes with a lumped mass and linear functions: with the same cells and at about the "
+        "same cost consistent masses err half as much again, and quadratic B-splines, which cost more, nearly three times "
+        "as much.",
     ),
     "nonlinear_beam": (
         "Frequency of a beam at a large amplitude",
@@ -36,7 +36,7 @@ SCENES = {
     "elastica_uniform_load": (
         "Large deflection of a slender beam",
         "Slender beams bend by quadratic B-splines, also with cells that are larger than the beam is high; linear functions "
-        "lock, and err a hundred times as much at the same cost. The 0.2 % that stay are in part what the elastica leaves "
+        "lock, and err several times as much at the same cost. The 0.2 % that stay are in part what the elastica leaves "
         "out: a beam's shear and extension.",
     ),
     "taylor_bar": (
