@@ -8,16 +8,9 @@
 #include "solver/schemes/law_response.h"
 #include "solver/simulation/simulation.h"
 #include "tests/bench/cases.h"
+#include "tests/levels/v3_kernels.h"
 
 namespace trajan {
-namespace x86_64_v3 {
-extern const Kernels compiled_kernels;
-}
-/// No cases with floats are counted.
-namespace x86_64_v3_float {
-extern const GridKernels compiled_grid_kernels;
-const GridKernels compiled_grid_kernels{};
-}  // namespace x86_64_v3_float
 
 /// In the place of the solver's own choice.
 const Kernels& kernels() { return x86_64_v3::compiled_kernels; }

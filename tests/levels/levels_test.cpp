@@ -5,20 +5,13 @@
 #include "solver/model/validate.h"
 #include "solver/simulation/simulation.h"
 #include "tests/bench/cases.h"
+#include "tests/levels/v3_kernels.h"
 
 namespace trajan {
 
 inline namespace TRAJAN_INSTRUCTION_SET {
 extern const Kernels compiled_kernels;
 }
-namespace x86_64_v3 {
-extern const Kernels compiled_kernels;
-}
-/// No cases with floats are compared.
-namespace x86_64_v3_float {
-extern const GridKernels compiled_grid_kernels;
-const GridKernels compiled_grid_kernels{};
-}  // namespace x86_64_v3_float
 
 namespace {
 const Kernels* chosen = &compiled_kernels;
