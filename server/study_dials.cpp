@@ -123,6 +123,27 @@ bool is_elastic(const v1::Scene& scene) {
   });
 }
 
+/// A length of a few digits that differences of others have spoilt in the last ones.
+double without_rounding(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", length);
+  return std::strtod(text, nullptr);
+}
+
+/// The largest length of which a length, the edges of a region that is a box, and their distances from the
+/// domain's corner are whole multiples; the length itself for other regions.
+double common_divisor(double common, const v1::Scene& scene, const v1::Region& region) {
+  if (!region.has_box()) return common;
+  const v1::Vector &lower = region.box().lower(), &upper = region.box().upper(), &corner = scene.domain().lower();
+  for (double length : {upper.x() - lower.x(), upper.y() - lower.y(), upper.z() - lower.z(),
+                        lower.x() - corner.x(), lower.y() - corner.y(), lower.z() - corner.z()}) {
+    // Euclid's algorithm, up to rounding.
+    while (length > 1e-9 * scene.domain().cell_size())
+      common = std::exchange(length, std::abs(std::remainder(common, length)));
+  }
+  return common;
+}
+
 }  // namespace
 
 v1::Setting with_cell_size(const v1::Scene& scene, double cell_size) {
@@ -146,22 +167,15 @@ v1::Setting with_cell_size(const v1::Scene& scene, double cell_size) {
 }
 
 double common_length(const v1::Scene& scene) {
-  std::vector<const v1::Region*> regions;
-  for (const v1::Body& body : scene.bodies()) regions.push_back(&body.geometry());
-  for (const v1::Probe& probe : scene.outputs().probes()) regions.push_back(&probe.mean());
   const double cell = scene.domain().cell_size();
-  const v1::Vector& corner = scene.domain().lower();
   double common = 0;
-  for (const v1::Region* region : regions) {
-    if (!region->has_box()) continue;
-    const v1::Vector &lower = region->box().lower(), &upper = region->box().upper();
-    for (double length : {upper.x() - lower.x(), upper.y() - lower.y(), upper.z() - lower.z(),
-                          lower.x() - corner.x(), lower.y() - corner.y(), lower.z() - corner.z()}) {
-      // Euclid's algorithm, up to rounding.
-      while (length > 1e-9 * cell) common = std::exchange(length, std::abs(std::remainder(common, length)));
-    }
+  for (const v1::Body& body : scene.bodies()) common = common_divisor(common, scene, body.geometry());
+  if (common > 0) common = std::max(common, cell);
+  for (const v1::Probe& probe : scene.outputs().probes()) {
+    const double with_probe = common_divisor(common, scene, probe.mean());
+    if (with_probe > (1 - 1e-9) * cell) common = with_probe;
   }
-  return std::max(common, cell);
+  return without_rounding(common);
 }
 
 v1::Dial ladder_dial(const v1::Scene& scene, const v1::Ladder& ladder) {

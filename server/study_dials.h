@@ -10,9 +10,9 @@ namespace trajan {
 /// given time step and the number of an implicit motion's time steps.
 v1::Setting with_cell_size(const v1::Scene& scene, double cell_size);
 
-/// The largest length of which the edges of all boxes that are bodies or are probed, and their distances from the
-/// domain's corner, are whole multiples: its parts are cells that they cut alike. The scene's cell size if there
-/// is none that is larger.
+/// The largest length of which the edges of all boxes that are bodies, and their distances from the domain's
+/// corner, are whole multiples: its parts are cells that they cut alike. Those of probes too, as long as there is
+/// such a length that is no smaller than the scene's cells. 0 if there are no boxes.
 double common_length(const v1::Scene& scene);
 
 /// The cell sizes of a ladder as a dial, the coarsest first. Throws ServiceError INVALID_ARGUMENT for

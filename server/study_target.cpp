@@ -57,6 +57,15 @@ void require_sense(const v1::Scene& scene, const v1::Target& target) {
   if (!std::isfinite(budget_of(target)) || budget_of(target) <= 0) refuse("the budget must be > 0 core-seconds");
 }
 
+/// Whether a method solves for equilibria or modes: where bodies cut cells in halves, its errors stay as smooth as
+/// the tangents, while explicit steps of nodes that are half as heavy do not.
+bool is_implicit(v1::Scene scene, const v1::Setting& method) {
+  change_scene(scene, method);
+  const auto kind = scene.analysis().kind_case();
+  return kind != v1::Analysis::KIND_NOT_SET && kind != v1::Analysis::kExplicitDynamics &&
+         kind != v1::Analysis::kRelaxation;
+}
+
 /// A run of a method; none if such cells make no valid scene.
 std::optional<store::PlannedRun> plan_rung(const v1::Scene& scene, const v1::Setting& method, double cell_size) {
   store::PlannedRun planned{{}, scene};
@@ -219,7 +228,7 @@ class Climb {
   void look_out(Method& method) const {
     // Of a value that is 0 no share is a tolerance.
     if (method.rungs.empty() || !(tolerance(method.value()) > 0)) return;
-    accuracy::Aim aim{tolerance(method.value()), common_length(scene_), {}};
+    accuracy::Aim aim{tolerance(method.value()), common_length(scene_), {}, is_implicit(scene_, method.setting)};
     for (const Method& other : methods_) {
       if (&other == &method || other.rungs.size() < 2) continue;
       aim.elsewhere = accuracy::extrapolated(other.rungs[other.rungs.size() - 2], other.rungs.back());

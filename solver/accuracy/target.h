@@ -17,10 +17,12 @@ struct Rung {
 struct Aim {
   double tolerance = 0;  ///< > 0, absolute
   /// Smaller cells are whole parts of this length, so that bodies cut the cells of all grids alike. Otherwise
-  /// errors do not fall steadily (Celik et al. 2008: refinement has to be systematic).
+  /// errors do not fall steadily (Celik et al. 2008: refinement has to be systematic). 0: of any size.
   double unit = 0;
   /// What another method extrapolates to.
   std::optional<double> elsewhere;
+  /// From cells of the unit's length to two thirds of it rather than to its half.
+  bool may_be_cut_in_halves = false;
 };
 
 struct Outlook {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/accuracy/extrapolation.h"
+
 namespace trajan::accuracy {
 namespace {
 
@@ -81,6 +83,22 @@ TEST(Target, TakesCellsThatAreWholeMultiplesOrPartsOfALength) {
   EXPECT_DOUBLE_EQ(next(1. / 3, near), 1. / 5);
   EXPECT_DOUBLE_EQ(next(1. / 5, near), 1. / 8);
   EXPECT_DOUBLE_EQ(next(1. / 3, far), 1. / 6);
+}
+
+TEST(Target, MayCutBodiesInHalvesWhereOneCellIsAsLargeAsTheyAre) {
+  const auto next = [](double finest, double unit) {
+    return outlook(rungs({2 * finest, finest}, 2), {1e3, unit, {}, true}).next_cell_size;
+  };
+  EXPECT_DOUBLE_EQ(next(1, 1), 2. / 3);
+  EXPECT_DOUBLE_EQ(next(2. / 3, 1), 1. / 2);
+  EXPECT_DOUBLE_EQ(next(1. / 2, 1), 1. / 3);
+  EXPECT_DOUBLE_EQ(next(0.3, 0), 0.2) << "without a unit";
+}
+
+// The error of the finest is 0.1^1.6 = 0.0251, and what is left by the observed order is just that.
+TEST(Target, BelievesAnObservedOrderThatIsAboutTheExpectedOne) {
+  const auto all = rungs({0.4, 0.2, 0.1}, 1.6);
+  EXPECT_NEAR(*outlook(all, {1e-6, 0.4, {}}).band, asymptotic_factor * std::pow(0.1, 1.6), 1e-9);
 }
 
 TEST(Target, ForeseesCostsByTheirGrowth) {
