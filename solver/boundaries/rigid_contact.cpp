@@ -29,6 +29,7 @@ RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle, st
   shape_.normal = {obstacle.normal.x, obstacle.normal.y, obstacle.normal.z};
   shape_.ball = obstacle.ball;
   shape_.radius = obstacle.radius;
+  shape_.point = {obstacle.point.x, obstacle.point.y, obstacle.point.z};
   for (std::size_t axis = 0; axis < 3; ++axis)
     shape_.period[axis] = frame_.cell * static_cast<double>(frame_.period[axis]);
 }
@@ -36,10 +37,16 @@ RigidContact::RigidContact(const Model& model, const RigidObstacle& obstacle, st
 void RigidContact::bind(std::span<const TileNodes> tiles, HeldComponents& held) {
   held_ = &held;
   touches_.assign(tiles.size() * TileNodes::count, Touch::none);
-  if (tiles.empty()) return;
-  const Vector a = frame_.place(tiles[0], 0), b = frame_.place(tiles[0], TileNodes::count - 1);
-  to_centre_ = {(b.x - a.x) / 2, (b.y - a.y) / 2, (b.z - a.z) / 2};
-  reach_ = std::hypot(to_centre_[0], to_centre_[1], to_centre_[2]) + frame_.cell;
+  bound_at_ = shape_.point;
+  travelled_ = 0;
+  distances_.clear();
+  for (const TileNodes& nodes : tiles) {
+    const Vector a = frame_.place(nodes, 0), b = frame_.place(nodes, TileNodes::count - 1);
+    const double to_corner = 0.5 * std::hypot(b.x - a.x, b.y - a.y, b.z - a.z);
+    Components normal;
+    distances_.push_back(shape_.distance({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}, normal) - to_corner -
+                         frame_.cell);
+  }
 }
 
 /// What sticks for good or may not part is held from the first, wherever its surface goes by rounding.
@@ -58,18 +65,13 @@ void RigidContact::prepare(const Kick& kick) {
     shape_.point[axis] += (*u)({}, kick.time);
     velocity_[axis] = velocities_.of(*u, true, {}, kick).after;
   }
+  travelled_ =
+      std::hypot(shape_.point[0] - bound_at_[0], shape_.point[1] - bound_at_[1], shape_.point[2] - bound_at_[2]);
 }
 
 double RigidContact::distance(const TileNodes& nodes, int node, Components& normal) const {
   const Vector at = frame_.place(nodes, node);
   return shape_.distance({at.x, at.y, at.z}, normal);
-}
-
-bool RigidContact::may_touch(const TileNodes& nodes) const {
-  const Vector first = frame_.place(nodes, 0);
-  Components normal;
-  return shape_.distance({first.x + to_centre_[0], first.y + to_centre_[1], first.z + to_centre_[2]}, normal) <=
-         reach_;
 }
 
 RigidContact::Components RigidContact::relative_velocity(const TileNodes& nodes, int node) const {
@@ -123,9 +125,9 @@ RigidContact::Touch RigidContact::respond(const Components& relative, Components
 void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<Reaction> reactions) {
   Touch* touches = touches_.data() + tile * TileNodes::count;
   const std::uint8_t* held = held_->data() + tile * TileNodes::count;
+  if (!may_touch(tile)) return;
   std::fill(touches, touches + TileNodes::count, Touch::none);
   Reaction& reaction = reactions[condition_];
-  if (!may_touch(nodes)) return;
   std::array<double, TileNodes::count> allowed;
   find_allowed(tile, nodes, allowed);
   const auto axes = static_cast<std::size_t>(frame_.dimensions);
@@ -153,7 +155,7 @@ void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<React
 /// pressed does not part either. Half of it, as between bodies: forces have worked on the mean of the velocities
 /// before and after contact, which is what strains must see for energy to be kept.
 void RigidContact::act_on_mapped(std::size_t tile, const TileNodes& nodes) const {
-  if (!may_touch(nodes)) return;
+  if (!may_touch(tile)) return;
   const auto axes = static_cast<std::size_t>(frame_.dimensions);
   for (int node = 0; node < TileNodes::count; ++node) {
     const std::size_t index = tile * TileNodes::count + static_cast<std::size_t>(node);

@@ -27,7 +27,7 @@ class RigidContact : public Condition {
   using Components = RigidShape::Components;
   /// Outward normal, and how far outside a node is; < 0 within.
   double distance(const TileNodes& nodes, int node, Components& normal) const;
-  bool may_touch(const TileNodes& nodes) const;
+  bool may_touch(std::size_t tile) const { return distances_[tile] <= travelled_; }
   Components relative_velocity(const TileNodes& nodes, int node) const;
   /// What closes in on the body from within it: the fastest that nodes may do so, by node.
   void find_allowed(std::size_t tile, const TileNodes& nodes, std::array<double, TileNodes::count>& allowed) const;
@@ -41,9 +41,10 @@ class RigidContact : public Condition {
   std::size_t condition_;
   GridFrame frame_;
   PrescribedVelocities velocities_;
-  Components to_centre_{};          ///< of a tile from its first node
-  double reach_ = 0;                ///< of a tile's nodes from its centre, and a cell more
   RigidShape shape_;                ///< now
+  Components bound_at_{};           ///< where its point was when tiles were bound
+  std::vector<double> distances_;   ///< of tiles from where it was, less than those of their nodes by a cell
+  double travelled_ = 0;            ///< since then
   const BodyGaps* gaps_ = nullptr;  ///< none: nodes within are felt however far their bodies are
   Components velocity_{};           ///< after the kick
   double kick_ = 0, closing_time_ = 0;

@@ -23,7 +23,11 @@ bool reaches_mass(const double* mass, const Riders& riders, const Riders::Values
 }  // namespace
 
 Loads::Loads(const Model& model)
-    : model_(model), axes_(grid_axes(model.dimension)), fields_(model), factors_(model.surface_loads.size()) {
+    : model_(model),
+      axes_(grid_axes(model.dimension)),
+      fields_(model),
+      loaded_(model),
+      factors_(model.surface_loads.size()) {
   for (const SurfaceLoad& load : model.surface_loads) {
     std::vector<SurfacePoint> points(load.points.begin(), load.points.end());
     riders_.emplace_back(model, std::move(points), load.follows, point_functions(model.numerics.shape_functions));
@@ -32,6 +36,7 @@ Loads::Loads(const Model& model)
 
 void Loads::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
   for (Riders& riders : riders_) riders.bind(bodies, tiles);
+  loaded_.bind(tiles);
 }
 
 void Loads::prepare(std::vector<BodyParticles>& bodies, double time) {
@@ -48,8 +53,9 @@ void Loads::prepare(std::vector<BodyParticles>& bodies, double time) {
   }
 }
 
-void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) const {
+void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) {
   const Layout& layout = tiles.layout();
+  loaded_.clear(tiles);
   for (std::size_t i = 0; i < riders_.size(); ++i) {
     const SurfaceLoad& load = model_.surface_loads[i];
     for (std::size_t p = 0; p < load.points.size(); ++p) {
@@ -66,8 +72,9 @@ void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) const
         s = riders_[i].stencil(tiles, bodies, p);
         weights = riders_[i].weights(s, s.of_point);
       }
+      double* of_tile = loaded_.sums(tiles, s.tile);
       for (int axis = 0; axis < axes_; ++axis) {
-        double* sums = &tiles.sums(s.tile)[quantity(sum_load, axis, axes_) * layout.window_nodes + s.node];
+        double* sums = of_tile + axis * layout.window_nodes + s.node;
         for (int n = 0; n < riders_[i].corners(); ++n)
           sums[riders_[i].corner(n)] += weights[n] * factors_[i] * component(force, axis);
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/loads/body_fields.h"
+#include "solver/loads/loaded_tiles.h"
 #include "solver/surfaces/riders.h"
 
 namespace trajan {
@@ -19,7 +20,11 @@ class Loads {
   /// Evaluates everything that depends on time, and sets the bodies' accelerations. Throws FormulaNotFinite.
   void prepare(std::vector<BodyParticles>& bodies, double time);
   /// Adds the surface loads to the windows of the carriers' tiles.
-  void add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) const;
+  void add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies);
+  /// Whether a tile's nodes may have got anything of them.
+  bool reach(std::size_t tile) const { return !none() && loaded_.are_near(tile); }
+  /// Whether sweeps over particles clear the sums of loads.
+  bool are_everywhere() const { return loaded_.everywhere(); }
   /// Moves the points; to be called before the particles move.
   void advect(const Tiles& tiles, const std::vector<BodyParticles>& bodies, double drift);
 
@@ -36,6 +41,7 @@ class Loads {
   int axes_;                    ///< of the grid
   std::vector<Riders> riders_;  ///< by surface load
   BodyFields fields_;
+  LoadedTiles loaded_;
   std::vector<double> factors_;  ///< by surface load
 };
 

@@ -45,6 +45,13 @@ void add_gravity_to_calmed(const NodeBlock& block, const std::vector<BodyParticl
   }
 }
 
+/// Of nodes that have got none.
+void leave_out_loads(NodeBlock& block, int axes) {
+  for (int axis = 0; axis < axes; ++axis)
+    std::ranges::fill(block.collected->values[quantity(sum_load, axis, axes)], 0.0);
+  block.sum_quantities = quantities(sum_load, axes);
+}
+
 }  // namespace
 
 Executor::Executor(const Model& model, int threads, Filling filling)
@@ -62,7 +69,8 @@ Executor::Executor(const Model& model, int threads, Filling filling)
       loads_(model),
       tiles_(transfer_.layout, node_quantities(), quantities(loads_.none() ? sum_load : sum_vectors, axes_),
              period_of(model.grid)),
-      sweeps_(model, transfer_kind_, transfer_, tiles_.sum_quantities()),
+      sweeps_(model, transfer_kind_, transfer_,
+              loads_.are_everywhere() ? tiles_.sum_quantities() : quantities(sum_load, axes_)),
       shares_(static_cast<std::size_t>(threads) + 1, 0),
       account_(model) {
   if (!rehearsal_) add_particles(model, bodies_);
@@ -246,7 +254,7 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
   if (account_.watched()) account_.balance_of_tile(tile) = force_balance(block, axes_);
   if (looks_for_unborne_forces_ && has_unborne_forces(block, axes_)) unborne_forces_ = true;
   if (!accounts_) return;
-  if (!loads_.none() || model_.damping > 0) motion_.account(block);
+  if (model_.damping > 0 || loads_.reach(tile)) motion_.account(block);
   account_.of_tile(tile).back() = {block.work, block.dissipated, {}};
 }
 
@@ -276,6 +284,7 @@ void Executor::kick_nodes(double light_node) {
   const bool complete_at_once = in_one_pass();
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
+    if (!loads_.reach(tile)) leave_out_loads(block, axes_);
     transfer_.update_velocities(block);
     account_.forget_tile(tile);
     conditions_.act(tile, account_.of_tile(tile));
