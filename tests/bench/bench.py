@@ -1,10 +1,13 @@
 """Runs the benchmark, each measurement in a process of its own, and prints a table.
 
     bench.py PROGRAM [--particles N,N] [--threads N,N] [--case TEXT] [--output FOLDER] [--against FILE]
+             [--count-by PROGRAM]
 
-PROGRAM is `trajan_bench`. FOLDER (default build/bench) gets `bench.json` and `roofline.png`. Without --particles
-all cases run at 10^5 particles, the colliding discs also at 10^3, 10^4 and 10^6; without --threads the discs and the
-block run on one and two threads, the others on one. --against compares with another `bench.json`.
+PROGRAM is `trajan_bench`, and that to count by `count_instructions`: then `bench.json` has instructions per particle and
+step, of kernels for x86-64-v3 and 2000 particles, and what share of them each function has. FOLDER (default build/bench)
+gets `bench.json` and `roofline.png`. Without --particles all cases run at 10^5 particles, the colliding discs also at 10^3,
+10^4 and 10^6; without --threads the discs and the block run on one and two threads, the others on one. --against compares
+with another `bench.json`.
 """
 
 import argparse
@@ -15,6 +18,9 @@ import statistics
 import subprocess
 import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "instructions"))
+import count
 
 DISCS, BLOCK = "discs/MUSL", "block/MUSL"
 
@@ -96,6 +102,17 @@ def measure(program, options):
     return {"date": time.strftime("%Y-%m-%d %H:%M"), "processors": os.cpu_count(), "machine": machine, "rows": rows}
 
 
+def add_instructions(result, program):
+    """To the rows of one thread, and prints which functions they are in."""
+    print("\ninstructions per particle and step; the functions with the largest shares of them, in %")
+    counts = count.count(program)
+    for row in result["rows"]:
+        if row["case"] not in counts or row["threads"] > 1:
+            continue
+        row["instructions"], _, row["profile"] = counts[row["case"]]
+        print(f"{row['case']:<36} {row['particles']:>9} {row['instructions']:7.0f}  {count.largest(row['profile'])}")
+
+
 def draw_roofline(result, path):
     import matplotlib
 
@@ -159,10 +176,13 @@ def main():
     parser.add_argument("--threads", type=numbers(int), help="for example 1,2")
     parser.add_argument("--case", default="", help="only cases whose name has this in it")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("build/bench"))
+    parser.add_argument("--count-by", type=pathlib.Path, metavar="PROGRAM", help="count instructions too")
     parser.add_argument("--against", type=pathlib.Path, help="another bench.json to compare with")
     options = parser.parse_args()
     other = json.loads(options.against.read_text()) if options.against else None
     result = measure(options.program, options)
+    if options.count_by:
+        add_instructions(result, options.count_by)
     options.output.mkdir(parents=True, exist_ok=True)
     (options.output / "bench.json").write_text(json.dumps(result, indent=1) + "\n")
     draw_roofline(result, options.output / "roofline.png")

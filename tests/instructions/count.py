@@ -52,11 +52,38 @@ SHARES = [
 ]
 
 
+def function_of(line):
+    """The bare name in a line such as fn=void trajan::x86_64_v3::locate<...>(trajan::Block&)."""
+    name = line[3:].replace("(anonymous namespace)", "").split(" [")[0]
+    for brackets in (r"<[^<>]*>", r"\([^()]*\)", r"\{[^{}]*\}"):
+        while re.search(brackets, name):
+            name = re.sub(brackets, "", name)
+    words = [word for word in re.split(r"::| ", name) if word not in ("", "const", "operator")]
+    return words[-1] if words else "others"
+
+
+def profile_of(dump):
+    """{function: its share of the instructions, those that it calls not included}, the largest first."""
+    own, function, is_of_called = {}, "", False
+    for line in dump.splitlines():
+        if line.startswith("fn="):
+            function = function_of(line)
+        elif line.startswith("calls="):
+            is_of_called = True
+        elif re.match(r"[-+*0-9]", line):
+            if not is_of_called:
+                own[function] = own.get(function, 0) + int(line.split()[1])
+            is_of_called = False
+    total = sum(own.values())
+    return {name: cost / total for name, cost in sorted(own.items(), key=lambda item: -item[1])}
+
+
 def count(program):
-    """{name: (instructions per particle and step, bytes of the solver)}"""
+    """{name: (instructions per particle and step, bytes of the solver, profile)}"""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "count"
-        words = ["valgrind", "--tool=callgrind", "--toggle-collect=counted_steps", "--dump-after=counted_steps"]
+        words = ["valgrind", "--tool=callgrind", "--compress-strings=no"]
+        words += ["--toggle-collect=counted_steps", "--dump-after=counted_steps"]
         done = subprocess.run(
             [*words, f"--callgrind-out-file={out}", program], capture_output=True, text=True, check=False
         )
@@ -67,8 +94,12 @@ def count(program):
             name, particles, steps, memory = line.split()
             dump = out.with_name(f"count.{number}").read_text()
             instructions = int(re.search(r"^(?:summary|totals): (\d+)$", dump, re.MULTILINE)[1])
-            counts[name] = (instructions / int(particles) / int(steps), int(memory))
+            counts[name] = (instructions / int(particles) / int(steps), int(memory), profile_of(dump))
     return counts
+
+
+def largest(profile):
+    return ", ".join(f"{function} {100 * share:.0f}" for function, share in list(profile.items())[:8])
 
 
 def violations(counts):
@@ -85,8 +116,8 @@ def violations(counts):
 
 def main():
     counts = count(sys.argv[1])
-    for name, (instructions, memory) in counts.items():
-        print(f"{name:<36} {instructions:9.2f} instructions, {memory} bytes")
+    for name, (instructions, memory, profile) in counts.items():
+        print(f"{name:<36} {instructions:9.2f} instructions, {memory} bytes; in %: {largest(profile)}")
     if "--print" in sys.argv:
         return 0
     found = list(violations(counts))
