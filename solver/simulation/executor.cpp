@@ -45,11 +45,9 @@ void add_gravity_to_calmed(const NodeBlock& block, const std::vector<BodyParticl
   }
 }
 
-/// Of nodes that have got none.
-void leave_out_loads(NodeBlock& block, int axes) {
-  for (int axis = 0; axis < axes; ++axis)
-    std::ranges::fill(block.collected->values[quantity(sum_load, axis, axes)], 0.0);
-  block.sum_quantities = quantities(sum_load, axes);
+/// What is collected next may be a tile's whose nodes get none.
+void forget_loads(NodeSums& sums, int axes) {
+  for (int axis = 0; axis < axes; ++axis) std::ranges::fill(sums.values[quantity(sum_load, axis, axes)], 0.0);
 }
 
 }  // namespace
@@ -255,6 +253,7 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
   if (looks_for_unborne_forces_ && has_unborne_forces(block, axes_)) unborne_forces_ = true;
   if (!accounts_) return;
   if (model_.damping > 0 || loads_.reach(tile)) motion_.account(block);
+  if (loads_.reach(tile) && !loads_.are_everywhere()) forget_loads(*block.collected, axes_);
   account_.of_tile(tile).back() = {block.work, block.dissipated, {}};
 }
 
@@ -284,7 +283,7 @@ void Executor::kick_nodes(double light_node) {
   const bool complete_at_once = in_one_pass();
   for_each_tile([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
-    if (!loads_.reach(tile)) leave_out_loads(block, axes_);
+    if (!loads_.reach(tile)) block.sum_quantities = quantities(sum_load, axes_);
     transfer_.update_velocities(block);
     account_.forget_tile(tile);
     conditions_.act(tile, account_.of_tile(tile));
