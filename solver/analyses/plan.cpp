@@ -3,8 +3,7 @@
 #include <limits>
 
 #include "solver/analyses/rehearsal.h"
-#include "solver/implicit/stencil_kernels.h"
-#include "solver/schemes/kernels.h"
+#include "solver/implicit/equations.h"
 #include "solver/schemes/time_step.h"
 
 namespace trajan {
@@ -98,15 +97,16 @@ double entries_of_factor(const double (&nodes)[3], int axes, double reach) {
   return of_node * axes * (reach - 1) * separator;
 }
 
-/// Of particles' stencils and tangents, of sparse matrices and of their factor.
+/// Of particles' stencils and tangents, of sparse matrices and of their factor, or of multigrid: there are the
+/// tangent and the one before, which are those on coarser grids seventh parts of, and some numbers of each node.
 std::int64_t memory_of_matrices(const Model& model, const Body& body, double active_cells) {
   // With what assembling and ordering hold of them, and the initial stress' stiffness where loads of buckling are
   // sought.
-  const double matrices = std::holds_alternative<Buckling>(model.analysis) ? 10 : 7;
+  const bool multigrid = takes_multigrid(model);
+  const double matrices = multigrid ? 2.2 : std::holds_alternative<Buckling>(model.analysis) ? 10 : 7;
   constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
-  const int axes = grid_axes(model.dimension), degree = polynomial_degree(model.numerics.shape_functions);
-  const bool wide = kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->layout.wide;
-  const double reach = degree == 3 ? 4 : wide ? 3 : 2;
+  const int axes = grid_axes(model.dimension);
+  const double reach = nodes_in_reach(model);
   const double lengths[] = {static_cast<double>(body.lattice.columns) * body.lattice.spacing.x,
                             static_cast<double>(body.lattice.rows) * body.lattice.spacing.y,
                             static_cast<double>(body.lattice.planes) * body.lattice.spacing.z};
@@ -115,11 +115,12 @@ std::int64_t memory_of_matrices(const Model& model, const Body& body, double act
     nodes *= 1 + (reach - 1) * model.grid.cell / lengths[axis];
     nodes_along[axis] = lengths[axis] / model.grid.cell + reach - 1;
   }
-  const double components = axes * axes, row = axes * std::pow(2 * reach - 1, axes);
+  const double components = axes * axes, row = row_entries(model);
   const double of_node = 3 * sizeof(std::uint32_t) + sizeof(double) * (1.0 + axes);
   const double of_particle = std::pow(reach, axes) * of_node + sizeof(double) * components * (components + 2);
-  const double of_unknown =
-      row * matrices * bytes_per_entry + entries_of_factor(nodes_along, axes, reach) * sizeof(double);
+  constexpr double of_cycles = 200;
+  const double factor = multigrid ? of_cycles : entries_of_factor(nodes_along, axes, reach) * sizeof(double);
+  const double of_unknown = row * matrices * bytes_per_entry + factor;
   return static_cast<std::int64_t>(nodes * axes * of_unknown + static_cast<double>(body.particles) * of_particle);
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "solver/implicit/equations.h"
 #include "solver/results/chunks.h"
 #include "solver/schemes/scheme.h"
 #include "solver/transfers/transfer.h"
@@ -23,6 +24,9 @@ constexpr double cached_bytes = 1 << 20;
 constexpr double iterations_per_step = 5;
 /// Steps of a relaxation per crossing of a wave through the longest body, likewise.
 constexpr double crossings_per_level = 20;
+
+/// Of assembling a matrix, what it takes to solve with it by multigrid: both grow with the cells.
+constexpr double cycles_share = 0.6;
 
 class RateTable {
  public:
@@ -43,28 +47,6 @@ class RateTable {
 /// Laws and transfers are measured as differences, which noise may make too small; none makes a step five times as
 /// fast.
 double with_difference(double plain, double difference) { return std::max(plain + difference, plain / 5); }
-
-double factor_work(const Model& model) {
-  const Layout& layout = kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->layout;
-  const double more = layout.wide ? 2 : 1;
-  const int axes = grid_axes(model.dimension);
-  double work = 0;
-  for (const Body& body : model.bodies) {
-    const double lengths[] = {static_cast<double>(body.lattice.columns) * body.lattice.spacing.x,
-                              static_cast<double>(body.lattice.rows) * body.lattice.spacing.y,
-                              static_cast<double>(body.lattice.planes) * body.lattice.spacing.z};
-    const double box = static_cast<double>(body.lattice.columns * body.lattice.rows * body.lattice.planes);
-    double nodes = static_cast<double>(body.particles) / box, longest = 0;
-    for (int axis = 0; axis < axes; ++axis) {
-      const double along = lengths[axis] / model.grid.cell + more;
-      nodes *= along;
-      longest = std::max(longest, along);
-    }
-    const double layer = axes * nodes / longest;
-    work += axes * nodes * (axes == 3 ? std::pow(layer, 1.5) : layer);
-  }
-  return work;
-}
 
 double formulas(const Model& model) {
   double sum = 0;
@@ -123,7 +105,8 @@ double iteration(const Model& model, const StepSize& size, RateTable& rates) {
   for (const Body& body : model.bodies)
     difference += rates[tangent_rate(model.dimension, model.materials[body.material].kind->name)] *
                   static_cast<double>(body.particles);
-  return with_difference(of("assembly") * size.particles + of("factors") * size.factor_work, difference);
+  const double assembly = of("assembly") * size.particles, factors = of("factors") * size.factor_work;
+  return with_difference(assembly + (size.multigrid ? cycles_share * assembly : factors), difference);
 }
 
 /// Steps and what they take together.
@@ -187,6 +170,7 @@ StepSize step_size(const Model& model, const ModelPlan& plan) {
   size.tiles = static_cast<double>(plan.occupied_tiles) +
                reached_share * static_cast<double>(plan.tiles - plan.occupied_tiles);
   size.factor_work = factor_work(model);
+  size.multigrid = takes_multigrid(model);
   const int axes = grid_axes(model.dimension);
   size.layer = std::pow(size.particles, (axes - 1.0) / axes);
   size.formulas = formulas(model);

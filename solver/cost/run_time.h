@@ -16,9 +16,9 @@ struct StepSize {
   double layer = 0;           ///< particles of a layer, along which bodies touch
   double formulas = 0;        ///< characters of body forces' formulas, by particles
   double uncached_bytes = 0;  ///< of particles, beyond what the cache of a core holds
-  /// To which factorizing the tangent is proportional (nested dissection, George 1973): unknowns times those of a
-  /// layer across the longest axis, in space times another square root of these.
+  /// To which factorizing the tangent is proportional (solver/implicit/equations.h), unless multigrid solves.
   double factor_work = 0;
+  bool multigrid = false;
 };
 StepSize step_size(const Model& model, const ModelPlan& plan);
 

@@ -24,10 +24,12 @@ ArcLengthIterations::ArcLengthIterations(const Newton& options, SparseSolver& so
 NewtonIterations::State ArcLengthIterations::iterate() {
   if (failure_ != Failure::none) return State::failed;
   const SparseMatrix& expand = balance_.constraints().expand();
-  factors_ = solver_.factorize(reduced(balance_.tangent(), expand));
+  factors_ = solver_.factorize(reduced(balance_.tangent(), expand), balance_.constraints().places());
   if (!factors_.regular) return fail(Failure::singular);
   const Eigen::VectorXd by_load =
       solver_.solve(expand.transpose() * balance_.load_rate(load_difference * first_load_));
+  factors_ = solver_.factors();
+  if (!factors_.regular) return fail(factors_.positive_definite ? Failure::unsolved : Failure::singular);
   if (!by_load.allFinite()) return fail(Failure::singular);
   if (!(by_load.norm() > 0)) return fail(Failure::no_load);
   if (residuals_.empty()) {

@@ -32,41 +32,43 @@ Assembly::Assembly(const Discretization& on, const GhostPenalty& ghost, ThreadPo
       on.nodes(), ghost.differences().size(),
       [&](std::size_t d) { return std::span<const std::uint32_t>(ghost.differences()[d].nodes); }, first_ghost_,
       ghosts_);
-  find_pattern();
+  find_neighbours();
 }
 
-/// A column of blocks per node: all nodes that share a particle or a difference with it, in order.
-void Assembly::find_pattern() {
-  const auto axes = static_cast<std::size_t>(on_.axes());
-  std::vector<std::size_t> first{0};
-  std::vector<std::uint32_t> neighbours;
+void Assembly::find_neighbours() {
+  first_neighbour_.assign(1, 0);
   std::vector<std::uint32_t> last_seen(on_.nodes(), static_cast<std::uint32_t>(-1));
   for (std::uint32_t n = 0; n < on_.nodes(); ++n) {
     const auto see = [&](std::span<const std::uint32_t> nodes) {
       for (std::uint32_t other : nodes)
-        if (last_seen[other] != n) neighbours.push_back(other), last_seen[other] = n;
+        if (last_seen[other] != n) neighbours_.push_back(other), last_seen[other] = n;
     };
     for (std::size_t i = first_incidence_[n]; i < first_incidence_[n + 1]; ++i)
       see(on_.particle(incidences_[i].element).nodes);
     for (std::size_t i = first_ghost_[n]; i < first_ghost_[n + 1]; ++i)
       see(ghost_.differences()[ghosts_[i].element].nodes);
-    std::sort(neighbours.begin() + static_cast<std::ptrdiff_t>(first.back()), neighbours.end());
-    first.push_back(neighbours.size());
+    std::sort(neighbours_.begin() + static_cast<std::ptrdiff_t>(first_neighbour_.back()), neighbours_.end());
+    first_neighbour_.push_back(neighbours_.size());
   }
+  neighbours_.shrink_to_fit();
+}
+
+void Assembly::begin(SparseMatrix& out) const {
+  const auto axes = static_cast<std::size_t>(on_.axes());
   const auto size = static_cast<Eigen::Index>(on_.unknowns());
-  pattern_.resize(size, size);
-  pattern_.resizeNonZeros(static_cast<Eigen::Index>(neighbours.size() * axes * axes));
-  int* outer = pattern_.outerIndexPtr();
-  int* inner = pattern_.innerIndexPtr();
+  out.resize(size, size);
+  out.resizeNonZeros(static_cast<Eigen::Index>(neighbours_.size() * axes * axes));
+  int* outer = out.outerIndexPtr();
+  int* inner = out.innerIndexPtr();
   std::size_t entry = 0;
   for (std::size_t n = 0; n < on_.nodes(); ++n)
     for (std::size_t k = 0; k < axes; ++k) {
       outer[n * axes + k] = static_cast<int>(entry);
-      for (std::size_t q = first[n]; q < first[n + 1]; ++q)
-        for (std::size_t i = 0; i < axes; ++i) inner[entry++] = static_cast<int>(neighbours[q] * axes + i);
+      for (std::size_t q = first_neighbour_[n]; q < first_neighbour_[n + 1]; ++q)
+        for (std::size_t i = 0; i < axes; ++i) inner[entry++] = static_cast<int>(neighbours_[q] * axes + i);
     }
   outer[size] = static_cast<int>(entry);
-  std::fill_n(pattern_.valuePtr(), entry, 0.0);
+  std::fill_n(out.valuePtr(), entry, 0.0);
 }
 
 /// Calls of(node, place of each of its neighbours' blocks in a column, by node).
@@ -78,16 +80,15 @@ void Assembly::for_each_column(Column&& of) const {
     std::vector<int> place(on_.nodes());
     const auto t = static_cast<std::size_t>(thread);
     for (std::size_t n = on_.nodes() * t / threads; n < on_.nodes() * (t + 1) / threads; ++n) {
-      const int begin = pattern_.outerIndexPtr()[n * axes], end = pattern_.outerIndexPtr()[n * axes + 1];
-      for (int e = begin; e < end; e += static_cast<int>(axes))
-        place[static_cast<std::size_t>(pattern_.innerIndexPtr()[e]) / axes] = e - begin;
+      for (std::size_t q = first_neighbour_[n]; q < first_neighbour_[n + 1]; ++q)
+        place[neighbours_[q]] = static_cast<int>((q - first_neighbour_[n]) * axes);
       of(n, place);
     }
   });
 }
 
 void Assembly::stiffness(const std::vector<double>& tangents, SparseMatrix& out) const {
-  out = pattern_;
+  begin(out);
   const auto axes = static_cast<std::size_t>(on_.axes()), count = static_cast<std::size_t>(on_.components());
   for_each_column([&](std::size_t node, const std::vector<int>& place) {
     double* column[3] = {};
@@ -129,7 +130,7 @@ void Assembly::stiffness(const std::vector<double>& tangents, SparseMatrix& out)
 }
 
 void Assembly::mass(bool lumped, SparseMatrix& out) const {
-  out = pattern_;
+  begin(out);
   const auto axes = static_cast<std::size_t>(on_.axes());
   for_each_column([&](std::size_t node, const std::vector<int>& place) {
     for (std::size_t i = first_incidence_[node]; i < first_incidence_[node + 1]; ++i) {

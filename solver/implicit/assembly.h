@@ -31,7 +31,9 @@ class Assembly {
     std::uint32_t element;  ///< particle or difference
     std::uint32_t place;    ///< of the node in it
   };
-  void find_pattern();
+  void find_neighbours();
+  /// A matrix of zeros with the pattern of all: for each node a column of blocks, one of each neighbour.
+  void begin(SparseMatrix& out) const;
   template <class Column>
   void for_each_column(Column&& of) const;
 
@@ -40,7 +42,9 @@ class Assembly {
   ThreadPool& pool_;
   std::vector<std::size_t> first_incidence_, first_ghost_;  ///< by node
   std::vector<Incidence> incidences_, ghosts_;
-  SparseMatrix pattern_;
+  /// Of each node those that share a particle or a difference with it, itself among them, in order.
+  std::vector<std::size_t> first_neighbour_;
+  std::vector<std::uint32_t> neighbours_;
 };
 
 }  // namespace trajan

@@ -97,6 +97,20 @@ void Constraints::eliminate(const Row& row) {
   eliminated_.push_back(std::move(result));
 }
 
+Places Constraints::places() const {
+  Places places;
+  places.reserve(static_cast<std::size_t>(expand_.cols()));
+  const auto axes = static_cast<std::size_t>(on_.axes());
+  for (std::size_t u = 0; u < which_.size(); ++u) {
+    if (which_[u] >= 0) continue;
+    Place place{{}, static_cast<std::int32_t>(u % axes)};
+    std::ranges::transform(on_.grid_index(u / axes), place.node.begin(),
+                           [](std::int64_t index) { return static_cast<std::int32_t>(index); });
+    places.push_back(place);
+  }
+  return places;
+}
+
 void Constraints::make_expansion() {
   std::vector<int> column(which_.size(), -1);
   int free = 0;

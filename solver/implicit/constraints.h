@@ -7,6 +7,7 @@
 
 #include "solver/implicit/assembly.h"
 #include "solver/implicit/discretization.h"
+#include "solver/implicit/places.h"
 
 namespace trajan {
 
@@ -20,6 +21,8 @@ class Constraints : private DisplacementConstraints, private MeanConstraints {
 
   const SparseMatrix& expand() const { return expand_; }
   const Eigen::VectorXd& given() const { return given_; }
+  /// Of the free unknowns.
+  Places places() const;
   /// Whether nothing is prescribed but zero.
   bool homogeneous() const { return homogeneous_; }
 

@@ -63,18 +63,22 @@ void Discretization::find_stencils(const Model& model, Executor& executor) {
   for (const BlockStencils& s : stencils) {
     for (int count : s.counts) first_node_.push_back(first_node_.back() + static_cast<std::size_t>(count));
     for (int node : s.nodes) numbers_[static_cast<std::size_t>(node)] = 0;
-    weights_.insert(weights_.end(), s.weights.begin(), s.weights.end());
-    gradients_.insert(gradients_.end(), s.gradients.begin(), s.gradients.end());
   }
   for (std::size_t at = 0; at < numbers_.size(); ++at) {
     if (numbers_[at] < 0) continue;
     numbers_[at] = static_cast<std::int32_t>(owners_.size());
     owners_.push_back({static_cast<std::uint32_t>(at / tile_nodes), static_cast<std::int32_t>(at % tile_nodes)});
   }
+  weights_.reserve(first_node_.back());
+  gradients_.reserve(first_node_.back() * static_cast<std::size_t>(axes_));
   nodes_.reserve(first_node_.back());
-  for (const BlockStencils& s : stencils)
+  for (BlockStencils& s : stencils) {
+    weights_.insert(weights_.end(), s.weights.begin(), s.weights.end());
+    gradients_.insert(gradients_.end(), s.gradients.begin(), s.gradients.end());
     for (int node : s.nodes)
       nodes_.push_back(static_cast<std::uint32_t>(numbers_[static_cast<std::size_t>(node)]));
+    s = {};
+  }
 }
 
 /// Sorts particles by body and nodes; those of one cell keep their order.

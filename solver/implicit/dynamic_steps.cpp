@@ -121,7 +121,7 @@ void DynamicSteps::begin_motion(const StepBalance& balance) {
   }
   const SparseMatrix& expand = balance.constraints().expand();
   SparseSolver solver(LinearSolver::direct);
-  solver.factorize(reduced(mass_, expand));
+  solver.factorize(reduced(SparseMatrix(mass_), expand));
   velocity_ = expand * solver.solve(expand.transpose() * momentum);
   const Eigen::VectorXd missing =
       balance.external_before() - balance.internal_before() - model_.damping * (mass_ * velocity_);

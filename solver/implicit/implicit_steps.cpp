@@ -186,6 +186,13 @@ void ImplicitSteps::give_up() const {
         "apply less load, trace the path by analysis.quasi_static.arc_length, or take a finer grid or a material "
         "that bears such a deformation");
   }
+  if (newton_->failure() == Failure::unsolved)
+    diverge(
+        beyond +
+            "iterations do not solve the linear equations, whose factors would be too large; the stiffness of " +
+            largest_place(model_, view_->on, newton_->weakest()) + " is least",
+        "take larger cells, stiffnesses that are less apart, a Poisson's ratio farther from 0.5, or "
+        "newton.linear_solver: DIRECT");
   if (newton_->failure() == Failure::singular || !newton_->factors().positive_definite)
     diverge(beyond + "the stiffness of " + largest_place(model_, view_->on, newton_->weakest()) +
                 " is lost: the body bears no more, or may go more than one way from here",

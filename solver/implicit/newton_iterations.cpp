@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/implicit/reduction.h"
 
@@ -32,7 +33,7 @@ NewtonIterations::State NewtonIterations::fail(Failure why) {
 NewtonIterations::State NewtonIterations::iterate() {
   if (failure_ != Failure::none) return State::failed;
   const SparseMatrix& expand = balance_.constraints().expand();
-  const SparseMatrix& tangent = balance_.tangent();
+  SparseMatrix tangent = balance_.tangent();
   Eigen::VectorXd residual = balance_.residual();
   const bool first = residuals_.empty();
   if (first) {
@@ -40,9 +41,11 @@ NewtonIterations::State NewtonIterations::iterate() {
     prescribed_scale_ = prescribed.norm();
     residual -= prescribed;
   }
-  factors_ = solver_.factorize(reduced(tangent, expand));
+  factors_ = solver_.factorize(reduced(std::move(tangent), expand), balance_.constraints().places());
   if (!factors_.regular) return fail(Failure::singular);
   const Eigen::VectorXd free = solver_.solve(expand.transpose() * residual, linear_tolerance);
+  factors_ = solver_.factors();
+  if (!factors_.regular) return fail(factors_.positive_definite ? Failure::unsolved : Failure::singular);
   if (!free.allFinite()) return fail(Failure::singular);
   Eigen::VectorXd direction = expand * free;
   if (first) direction += balance_.constraints().given();
@@ -70,7 +73,7 @@ Eigen::VectorXd NewtonIterations::missing() const {
 double NewtonIterations::rounding(double cell) const {
   const double scale = std::max(balance_.scale(), prescribed_scale_);
   if (!(scale > 0)) return 0;
-  const SparseMatrix& tangent = balance_.tangent();
+  const SparseMatrix tangent = balance_.tangent();
   const Eigen::VectorXd rows = tangent.cwiseAbs() * Eigen::VectorXd::Constant(tangent.cols(), cell);
   return std::numeric_limits<double>::epsilon() * rows.norm() / scale;
 }

@@ -15,7 +15,7 @@ class NewtonIterations {
   virtual ~NewtonIterations() = default;
 
   enum class State { going, converged, failed };
-  enum class Failure { none, no_answer, singular, too_slow, no_load };
+  enum class Failure { none, no_answer, singular, unsolved, too_slow, no_load };
   /// One more iteration.
   virtual State iterate();
 

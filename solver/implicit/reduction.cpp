@@ -1,5 +1,6 @@
 #include "solver/implicit/reduction.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace trajan {
@@ -22,33 +23,33 @@ std::vector<int> selection(const SparseMatrix& expand) {
 }  // namespace
 
 /// Most often conditions hold nodes and the others are as they were: then rows and columns are left out, which
-/// needs no memory beside the result.
-SparseMatrix reduced(const SparseMatrix& matrix, const SparseMatrix& expand) {
+/// needs no memory beside the matrix.
+SparseMatrix reduced(SparseMatrix&& matrix, const SparseMatrix& expand) {
   const std::vector<int> which = selection(expand);
+  SparseMatrix result(expand.cols(), expand.cols());
   if (which.empty()) {
     const SparseMatrix half = matrix * expand;
-    return SparseMatrix(expand.transpose()) * half;
+    result = SparseMatrix(expand.transpose()) * half;
+    return result;
   }
-  SparseMatrix result(expand.cols(), expand.cols());
-  Eigen::Index entries = 0;
-  const auto free = [&](Eigen::Index unknown) { return which[static_cast<std::size_t>(unknown)]; };
-  const auto for_each_entry = [&](Eigen::Index column, auto&& of) {
-    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-      if (free(entry.row()) >= 0) of(free(entry.row()), entry.value());
-  };
-  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-    if (free(column) >= 0) for_each_entry(column, [&](int, double) { ++entries; });
-  result.resizeNonZeros(entries);
-  int at = 0;
-  for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
-    if (free(column) < 0) continue;
-    result.outerIndexPtr()[free(column)] = at;
-    for_each_entry(column, [&](int row, double value) {
-      result.innerIndexPtr()[at] = row;
-      result.valuePtr()[at++] = value;
-    });
+  int* outer = matrix.outerIndexPtr();
+  int* inner = matrix.innerIndexPtr();
+  double* value = matrix.valuePtr();
+  int at = 0, columns = 0;
+  for (int column = 0, begin = 0; column < matrix.cols(); ++column) {
+    const int end = outer[column + 1];
+    for (int e = begin; e < end && which[static_cast<std::size_t>(column)] >= 0; ++e) {
+      const int row = which[static_cast<std::size_t>(inner[e])];
+      if (row < 0) continue;
+      inner[at] = row;
+      value[at++] = value[e];
+    }
+    if (which[static_cast<std::size_t>(column)] >= 0) outer[++columns] = at;
+    begin = end;
   }
-  result.outerIndexPtr()[result.cols()] = at;
+  std::copy_n(outer, columns + 1, result.outerIndexPtr());
+  result.data().swap(matrix.data());
+  result.data().resize(at);
   return result;
 }
 

@@ -2,14 +2,18 @@
 
 #include <dlfcn.h>
 
-#include <Eigen/CholmodSupport>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/UmfPackSupport>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
+
+#include "solver/implicit/cholesky.h"
+#include "solver/implicit/conjugate_gradients.h"
+#include "solver/implicit/equations.h"
+#include "solver/implicit/multigrid.h"
 
 namespace trajan {
 namespace {
@@ -24,18 +28,10 @@ constexpr double most_bytes = 4e9;
 /// Non-zeros of a matrix whose factors are not even sized up: in three dimensions they take some hundred times as
 /// many bytes.
 constexpr Eigen::Index most_entries = 60'000'000;
-
-/// Supernodal Cholesky (Chen, Davis, Hager and Rajamanickam 2008).
-class Cholesky : public Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> {
- public:
-  Cholesky() { cholmod().print = 0; }
-  double reciprocal_condition() { return cholmod_rcond(m_cholmodFactor, &cholmod()); }
-  /// Of the factor, once the pattern has been analyzed.
-  double bytes() const {
-    if (m_cholmodFactor == nullptr) return std::numeric_limits<double>::infinity();
-    return sizeof(double) * static_cast<double>(m_cholmodFactor->xsize);
-  }
-};
+/// Cycles at most, and those after which it is asked whether these will do.
+constexpr int most_cycles = 300, trial_cycles = 60;
+/// With an incomplete factor.
+constexpr int most_iterations = 5000;
 
 /// Unsymmetric multifrontal LU (Davis 2004).
 class Lu : public Eigen::UmfPackLU<SparseMatrix> {
@@ -43,11 +39,16 @@ class Lu : public Eigen::UmfPackLU<SparseMatrix> {
   double reciprocal_condition() const { return m_umfpackInfo[UMFPACK_RCOND]; }
 };
 
-/// Preconditioned with an incomplete factor, which is as full as the matrix. Nodes keep their order, by tiles: to
-/// find another one takes more memory than the factor.
-using IncompleteCholesky =
-    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper,
-                             Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>>;
+/// What conjugate gradients need where nothing is known but the matrix: an incomplete factor, which is as full as
+/// it. Nodes keep their order, by tiles: to find another one takes more memory than the factor.
+struct IncompleteFactor {
+  const SparseMatrix& matrix;
+  Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> factor;
+
+  explicit IncompleteFactor(const SparseMatrix& of) : matrix(of), factor(of) {}
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const { y = matrix.transpose() * x; }
+  void precondition(const Eigen::VectorXd& r, Eigen::VectorXd& z) const { z = factor.solve(r); }
+};
 
 bool same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
   return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
@@ -90,31 +91,74 @@ void keep_blas_on_one_thread() {
   if (const auto set = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(1);
 }
 
+double factor_work_of(const Places& places) {
+  std::array<std::int32_t, 3> lowest, highest;
+  lowest.fill(std::numeric_limits<std::int32_t>::max());
+  highest.fill(std::numeric_limits<std::int32_t>::min());
+  for (const Place& place : places)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lowest[axis] = std::min(lowest[axis], place.node[axis]);
+      highest[axis] = std::max(highest[axis], place.node[axis]);
+    }
+  int longest = 0, axes = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    longest = std::max(longest, highest[axis] - lowest[axis] + 1);
+    axes += highest[axis] > lowest[axis];
+  }
+  return factor_work(static_cast<double>(places.size()), longest, axes);
+}
+
 }  // namespace
 
 struct SparseSolver::Methods {
-  enum class Used { none, cholesky, lu, gradients };
+  enum class Used { none, cholesky, lu, multigrid, incomplete };
   Cholesky cholesky;
   Lu lu;
-  IncompleteCholesky gradients;
+  std::unique_ptr<Multigrid> multigrid;
+  std::unique_ptr<IncompleteFactor> incomplete;
   Used used = Used::none;
   bool cholesky_analyzed = false, lu_analyzed = false;
   SparseMatrix matrix;  ///< scaled
   Eigen::VectorXd scale;
+  Factors factors;
+  Eigen::VectorXd direction;  ///< along which a matrix without factors is not positive, if that is known
+  int iterations = 0;
 
-  void scale_to_unit_diagonal(SparseMatrix given);
+  /// Takes the memory of what is given.
+  void begin(SparseMatrix& given);
+  void scale_to_unit_diagonal();
+  bool finite() const;
   void analyze();
   bool factors_are_too_large();
-  Factors by_cholesky();
-  Factors by_lu();
-  Factors by_gradients();
+  void by_cholesky();
+  void by_lu();
+  void by_factors();
+  void by_incomplete_factor();
+  void by_multigrid(const Places& places);
+  Gradients iterate(const Eigen::VectorXd& right, double tolerance, Eigen::VectorXd& x);
+  void solve(const Eigen::VectorXd& right, double tolerance, Eigen::VectorXd& x);
 };
 
-void SparseSolver::Methods::scale_to_unit_diagonal(SparseMatrix given) {
+void SparseSolver::Methods::begin(SparseMatrix& given) {
+  used = Used::none;
+  multigrid.reset();
+  incomplete.reset();
+  direction.resize(0);
+  factors = {};
+  iterations = 0;
   const bool known = same_pattern(given, matrix);
   cholesky_analyzed = cholesky_analyzed && known;
   lu_analyzed = lu_analyzed && known;
-  matrix = std::move(given);
+  matrix.swap(given);
+  scale_to_unit_diagonal();
+}
+
+bool SparseSolver::Methods::finite() const {
+  return std::all_of(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(),
+                     [](double value) { return std::isfinite(value); });
+}
+
+void SparseSolver::Methods::scale_to_unit_diagonal() {
   scale = matrix.diagonal().cwiseAbs();
   for (double& s : scale) s = s > 0 ? 1 / std::sqrt(s) : 1;
   for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
@@ -133,30 +177,78 @@ bool SparseSolver::Methods::factors_are_too_large() {
   return cholesky.bytes() > most_bytes;
 }
 
-SparseSolver::Factors SparseSolver::Methods::by_cholesky() {
+void SparseSolver::Methods::by_cholesky() {
   analyze();
   cholesky.factorize(matrix);
-  if (cholesky.info() != Eigen::Success) return {};
+  if (cholesky.info() != Eigen::Success) return;
   used = Used::cholesky;
   const double condition = cholesky.reciprocal_condition();
-  return {condition > singular, true, condition};
+  factors = {condition > singular, true, condition};
 }
 
-SparseSolver::Factors SparseSolver::Methods::by_lu() {
+void SparseSolver::Methods::by_lu() {
   if (!lu_analyzed) lu.analyzePattern(matrix);
   lu_analyzed = true;
   lu.factorize(matrix);
-  if (lu.info() != Eigen::Success) return {};
+  if (lu.info() != Eigen::Success) return;
   used = Used::lu;
   const double condition = lu.reciprocal_condition();
-  return {condition > singular, false, condition};
+  factors = {condition > singular, false, condition};
 }
 
-SparseSolver::Factors SparseSolver::Methods::by_gradients() {
-  gradients.compute(matrix);
-  if (gradients.info() != Eigen::Success) return {};
-  used = Used::gradients;
-  return {true, true, 1};
+void SparseSolver::Methods::by_factors() {
+  used = Used::none;
+  factors = {};
+  by_cholesky();
+  if (used == Used::none) by_lu();
+}
+
+void SparseSolver::Methods::by_incomplete_factor() {
+  used = Used::none;
+  incomplete = std::make_unique<IncompleteFactor>(matrix);
+  if (incomplete->factor.info() != Eigen::Success) return;
+  used = Used::incomplete;
+  factors = {true, true, 1};
+}
+
+void SparseSolver::Methods::by_multigrid(const Places& places) {
+  multigrid = std::make_unique<Multigrid>();
+  if (!multigrid->build(matrix, places, scale)) return;
+  used = Used::multigrid;
+  factors = {true, true, multigrid->reciprocal_condition()};
+}
+
+Gradients SparseSolver::Methods::iterate(const Eigen::VectorXd& right, double tolerance, Eigen::VectorXd& x) {
+  const Gradients end =
+      used == Used::multigrid
+          ? conjugate_gradients(*multigrid, right, tolerance, trial_cycles, most_cycles, x)
+          : conjugate_gradients(*incomplete, right, tolerance, most_iterations, most_iterations, x);
+  iterations += end.iterations;
+  return end;
+}
+
+/// By iterations, otherwise by factors, if these are too large by other iterations, or not at all.
+void SparseSolver::Methods::solve(const Eigen::VectorXd& right, double tolerance, Eigen::VectorXd& x) {
+  iterations = 0;
+  if (used == Used::multigrid || used == Used::incomplete) {
+    Gradients end = iterate(right, tolerance, x);
+    if (end.end == Gradients::End::converged) return;
+    const bool factorize = !factors_are_too_large();
+    if (factorize) by_factors();
+    if (!factorize && used == Used::multigrid && end.end == Gradients::End::too_slow) {
+      by_incomplete_factor();
+      if (used != Used::none) end = iterate(right, tolerance, x);
+      if (end.end == Gradients::End::converged) return;
+    }
+    if (!factorize) {
+      used = Used::none;
+      factors = {false, end.end != Gradients::End::indefinite, 0};
+      direction = x;
+    }
+  }
+  if (used == Used::cholesky) x = cholesky.solve(right);
+  if (used == Used::lu) x = lu.solve(right);
+  if (used == Used::none) x = direction.size() > 0 ? direction : right;
 }
 
 SparseSolver::SparseSolver(LinearSolver choice) : choice_(choice), methods_(std::make_unique<Methods>()) {
@@ -164,30 +256,34 @@ SparseSolver::SparseSolver(LinearSolver choice) : choice_(choice), methods_(std:
 }
 SparseSolver::~SparseSolver() = default;
 
-SparseSolver::Factors SparseSolver::factorize(SparseMatrix matrix) {
-  methods_->used = Methods::Used::none;
-  if (matrix.rows() == 0) return {true, true, 1};
-  methods_->scale_to_unit_diagonal(std::move(matrix));
-  for (Eigen::Index e = 0; e < methods_->matrix.nonZeros(); ++e)
-    if (!std::isfinite(methods_->matrix.valuePtr()[e])) return {};
-  if (!is_symmetric(methods_->matrix)) return methods_->by_lu();
+const SparseSolver::Factors& SparseSolver::factors() const { return methods_->factors; }
+int SparseSolver::iterations() const { return methods_->iterations; }
+
+SparseSolver::Factors SparseSolver::factorize(SparseMatrix matrix, const Places& places) {
+  Methods& m = *methods_;
+  const bool narrow =
+      static_cast<double>(matrix.nonZeros()) <= most_row_entries * static_cast<double>(matrix.rows());
+  m.begin(matrix);
+  if (m.matrix.rows() == 0) return m.factors = {true, true, 1};
+  if (!m.finite()) return m.factors;
+  if (!is_symmetric(m.matrix)) {
+    m.by_lu();
+    return m.factors;
+  }
+  const bool placed = !places.empty(), much = placed && narrow && factor_work_of(places) > most_factor_work;
   const bool iterative = choice_ == LinearSolver::iterative ||
-                         (choice_ == LinearSolver::automatic && methods_->factors_are_too_large());
-  const Factors factors = iterative ? methods_->by_gradients() : methods_->by_cholesky();
-  return methods_->used == Methods::Used::none ? methods_->by_lu() : factors;
+                         (choice_ == LinearSolver::automatic && (much || m.factors_are_too_large()));
+  if (iterative && placed) m.by_multigrid(places);
+  if (iterative && !placed) m.by_incomplete_factor();
+  if (m.used == Methods::Used::none && !(iterative && m.factors_are_too_large())) m.by_factors();
+  return m.factors;
 }
 
 Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right, double tolerance) const {
   Methods& m = *methods_;
-  const Eigen::VectorXd scaled = m.scale.cwiseProduct(right);
   Eigen::VectorXd x;
-  if (m.used == Methods::Used::cholesky) x = m.cholesky.solve(scaled);
-  if (m.used == Methods::Used::lu) x = m.lu.solve(scaled);
-  if (m.used == Methods::Used::gradients) {
-    m.gradients.setTolerance(tolerance);
-    x = m.gradients.solve(scaled);
-  }
-  return m.used == Methods::Used::none ? right : Eigen::VectorXd(m.scale.cwiseProduct(x));
+  m.solve(m.scale.cwiseProduct(right), tolerance, x);
+  return m.scale.cwiseProduct(x);
 }
 
 }  // namespace trajan

@@ -61,15 +61,16 @@ double StepBalance::scale() const {
                    inertia_.constant.size() > 0 ? inertia_.constant.norm() : 0.0});
 }
 
-const SparseMatrix& StepBalance::tangent() {
-  view_.assembly.stiffness(responses_.tangents(), tangent_);
-  responses_.add_stiffness(view_.on, tangent_);
-  if (loads_.follow()) external_at(to_, displacement_, &tangent_);
-  if (inertia_.forces_share != 1) tangent_ *= inertia_.forces_share;
+SparseMatrix StepBalance::tangent() {
+  SparseMatrix tangent;
+  view_.assembly.stiffness(responses_.tangents(), tangent);
+  responses_.add_stiffness(view_.on, tangent);
+  if (loads_.follow()) external_at(to_, displacement_, &tangent);
+  if (inertia_.forces_share != 1) tangent *= inertia_.forces_share;
   if (inertia_.mass)
-    for (Eigen::Index e = 0; e < tangent_.nonZeros(); ++e)
-      tangent_.valuePtr()[e] += inertia_.of_displacement * inertia_.mass->valuePtr()[e];
-  return tangent_;
+    for (Eigen::Index e = 0; e < tangent.nonZeros(); ++e)
+      tangent.valuePtr()[e] += inertia_.of_displacement * inertia_.mass->valuePtr()[e];
+  return tangent;
 }
 
 /// By the trapezoidal rule. Reactions are what internal forces are more than external ones; elsewhere that is

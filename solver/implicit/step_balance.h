@@ -53,7 +53,7 @@ class StepBalance {
   /// The norm of the forces that balance.
   double scale() const;
   /// Minus the derivative of the residual at the last displacement, of all unknowns.
-  const SparseMatrix& tangent();
+  SparseMatrix tangent();
   /// Work of external forces and of reactions over a displacement that ends in balance. `before`, `after`: what
   /// inertia takes; empty: nothing.
   double work(const Eigen::VectorXd& displacement, const Eigen::VectorXd& before = {},
@@ -78,7 +78,6 @@ class StepBalance {
   Inertia inertia_;
   Responses::Trouble trouble_;
   Eigen::VectorXd displacement_, residual_, internal_, external_, internal_before_, external_before_;
-  SparseMatrix tangent_;
 };
 
 }  // namespace trajan

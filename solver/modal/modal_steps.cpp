@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "solver/implicit/reduction.h"
 #include "solver/modal/mode_steps.h"
@@ -41,14 +42,14 @@ ModeProblem ModalSteps::make_problem(const GridView& view) {
   responses_.add_stiffness(view.on, stiffness);
   view.assembly.mass(lumped_, mass);
   problem.expand = constraints.expand();
-  problem.stiffness = reduced(stiffness, problem.expand);
-  problem.other = reduced(mass, problem.expand);
+  problem.stiffness = reduced(std::move(stiffness), problem.expand);
 
   const Eigen::Index axes = view.on.axes(), nodes = static_cast<Eigen::Index>(view.on.nodes());
   SparseMatrix translations(axes * nodes, axes);
   for (Eigen::Index axis = 0; axis < axes; ++axis)
     for (Eigen::Index n = 0; n < nodes; ++n) translations.insert(n * axes + axis, axis) = 1;
   momenta_ = SparseMatrix(problem.expand.transpose()) * (mass * translations).eval();
+  problem.other = reduced(std::move(mass), problem.expand);
   for (std::size_t p = 0; p < view.on.particles(); ++p) total_mass_ += view.on.mass(p);
   return problem;
 }
