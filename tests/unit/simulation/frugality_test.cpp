@@ -67,7 +67,8 @@ TEST(Attributes, AreFloatsWhereTheSceneAsksForThemButForPlacesAndVolumes) {
   EXPECT_EQ(doubles - bytes_of(floats), 6 * 4);
   const Simulation simulation(validate(scene), 1);
   for (const BodyParticles& body : simulation.executor().bodies())
-    for (int a = 0; a < attribute_count; ++a) EXPECT_TRUE(body.arrays[a].empty() || body.floats[a].empty());
+    for (int a = 0; a < attribute_count; ++a)
+      EXPECT_TRUE(body.arrays[a].capacity() == 0 || body.floats[a].capacity() == 0);
 }
 
 TEST(Memory, OfNodesHasTheVectorsThatTheTransferIterates) {
