@@ -68,6 +68,14 @@ __attribute__((always_inline)) inline Vector multiply_add(Vector a, Vector b, Ve
   }
 }
 
+__attribute__((always_inline)) inline float multiply_add(float a, float b, float c) {
+#ifdef __FMA__
+  return __builtin_fmaf(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
 /// Writes the indices i in 1 .. count - 1 with values[i] != values[i - 1], in order, and returns how many there
 /// are. Without a branch that depends on the values, and with room for 8 indices more.
 inline int find_changes(const std::int64_t* values, int count, std::int32_t* out) {

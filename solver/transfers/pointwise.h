@@ -10,13 +10,13 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// v += dt a.
 template <int D>
 inline void kick(Block& block) {
-  const double dt = block.sweep->kick;
+  const Real dt = Real(block.sweep->kick);
   for (int axis = 0; axis < D; ++axis) {
     Real* v = component_of(block, Attribute::velocity_x, axis);
     const Real* a = scratch_of(block).acceleration[axis].data();
     const Rounding rounded(block, static_cast<Attribute>(axis));
 #pragma GCC ivdep
-    for (int i = 0; i < block.count; ++i) v[i] = rounded(v[i] + dt * a[i], i);
+    for (int i = 0; i < block.count; ++i) v[i] = rounded.add(v[i], dt * a[i], i);
   }
 }
 

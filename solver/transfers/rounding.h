@@ -1,51 +1,61 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
-#include <cstring>
 
-#include "solver/transfers/real.h"
+#include "solver/executors/block.h"
+#include "solver/executors/instruction_set.h"
+#include "solver/transfers/intrinsics.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Rounds doubles to what particles carry. To floats up or down by chance, up as often as it is near: what grows
-/// by less than half of its last bit in every step grows nevertheless, and steps that round are right in the mean,
-/// where rounding to the nearest loses a part of each that is the same over thousands of steps (Croci, Fasi,
-/// Higham, Mary and Mikaitis 2022). Chance is a hash of step, attribute and place in the block, so that bits do
-/// not depend on threads.
-class Rounding {
+/// Rounds doubles to what particles carry. To floats up or down, up as often as it is near: what grows by less
+/// than half of its last bit in every step grows nevertheless, and steps that round are right in the mean, where
+/// rounding to the nearest loses a part of each that is the same over thousands of steps (Croci, Fasi, Higham,
+/// Mary and Mikaitis 2022). Which of them it is to be follows from multiples of two irrational numbers, by the
+/// step and by the place in the block: they fill the unit interval more evenly than chance would (Weyl 1916; these
+/// two do so in the plane, Roberts 2018), and do not depend on threads.
+template <class Number>
+class RoundingTo {
  public:
-  Rounding(const Block& block, Attribute attribute)
-      : seed_(0x9E3779B9U * static_cast<std::uint32_t>(block.sweep->step) +
-              0x7FEB352DU * static_cast<std::uint32_t>(attribute)) {}
+  RoundingTo(const Block& block, Attribute attribute)
+      : first_(0xC13FA9A9U * static_cast<std::uint32_t>(block.sweep->step) +
+               0x7FEB352DU * static_cast<std::uint32_t>(attribute)) {}
 
-  __attribute__((always_inline)) Real operator()(double value, int i) const {
-    if constexpr (sizeof(Real) == sizeof value) {
-      return static_cast<Real>(value);
+  __attribute__((always_inline)) Number operator()(double value, int i) const {
+    if constexpr (sizeof(Number) == sizeof value) {
+      return value;
     } else {
       // A double has 29 more bits. Whatever is added to these carries as often as they say.
       constexpr std::uint64_t dropped = (1U << 29) - 1;
-      std::uint64_t bits;
-      std::memcpy(&bits, &value, sizeof bits);
-      bits = (bits + (chance(static_cast<std::uint32_t>(i)) >> 3)) & ~dropped;
-      std::memcpy(&value, &bits, sizeof bits);
-      return static_cast<Real>(value);
+      const std::uint64_t bits = std::bit_cast<std::uint64_t>(value) + (share(i) >> 3);
+      return static_cast<Number>(std::bit_cast<double>(bits & ~dropped));
+    }
+  }
+
+  /// value + change, of which the latter is the smaller.
+  __attribute__((always_inline)) Number add(Number value, Number change, int i) const {
+    if constexpr (std::is_same_v<Number, double>) {
+      return value + change;
+    } else {
+      // Rounded to the nearest of what has been moved by up to half of the last bit of the value.
+      constexpr std::uint32_t exponent = 0x7F800000;
+      const float power = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & exponent);
+      const float moved = 0x1p-55F * static_cast<float>(static_cast<std::int32_t>(share(i)));
+      return value + multiply_add(power, moved, change);
     }
   }
 
  private:
-  /// Mixes all bits of a number into the upper ones (Wellons 2018, lowbias32).
-  __attribute__((always_inline)) std::uint32_t chance(std::uint32_t i) const {
-    std::uint32_t x = seed_ + 0x85EBCA6BU * i;
-    x ^= x >> 16;
-    x *= 0x7FEB352DU;
-    x ^= x >> 15;
-    x *= 0x846CA68BU;
-    return x;
+  /// Of the unit interval, in 2^-32.
+  __attribute__((always_inline)) std::uint32_t share(int i) const {
+    return first_ + 0x91E10DA5U * static_cast<std::uint32_t>(i);
   }
 
-  std::uint32_t seed_;
+  std::uint32_t first_;
 };
+using Rounding = RoundingTo<Real>;
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan
