@@ -66,15 +66,18 @@ struct alignas(64) Scratch {
   Trouble trouble;
 };
 
-/// What particles do on the grid is in a number type of their own, laws know doubles alone.
+/// What particles do on the grid is in a number type of their own, most laws know doubles alone.
 template <class Number>
 struct LawExchange : Scratch {
+  BlockArray<Number> narrow_gradient[9];
   BlockArray<Number> narrow_force[9];
   std::vector<BlockDoubles> state;  ///< of Block::floats, in the order of BodyConstants::narrow_state
+  BlockArray<Number>* gradient_of_grid() { return narrow_gradient; }
   const BlockArray<Number>* force_on_nodes() const { return narrow_force; }
 };
 template <>
 struct LawExchange<double> : Scratch {
+  BlockDoubles* gradient_of_grid() { return gradient; }
   const BlockDoubles* force_on_nodes() const { return force; }
 };
 

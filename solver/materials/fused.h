@@ -15,6 +15,13 @@ inline double fused(double a, double b, double c) {
   return a * b + c;
 #endif
 }
+inline float fused(float a, float b, float c) {
+#ifdef __FMA__
+  return __builtin_fmaf(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
 /// Of numbers with derivatives.
 template <class A, class B, class C>
 constexpr C fused(const A& a, const B& b, const C& c) {

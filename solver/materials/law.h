@@ -59,6 +59,14 @@
 ///                                                      what acts on others, if not the stress of the state
 ///   template <int N, class T> void relax(Tensor<N, T>& g, const RateState<N, T, count>&) const;
 ///                                                      sets the rest of g so that the rest stresses stay zero
+///
+/// Particles of floats are computed in floats by laws that lose none of their digits
+/// (solver/schemes/law_floats.h): rate laws with
+///   template <int N, class T>
+///   SymmetricTensor<N, T> stress_change(const Tensor<N, T>& g, const SymmetricTensor<N, T>& stress) const;
+/// which is what a step adds to the stress, and finite ones with
+///   template <int N, class T> SymmetricTensor<N, T> kirchhoff_of_change(const Tensor<N, T>& h) const;
+/// of h = F - 1, both to all digits of T even where they are small.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 

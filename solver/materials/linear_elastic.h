@@ -21,6 +21,12 @@ class LinearElastic {
     state.stress = jaumann_step(lame_, mid_step(g), state.stress);
   }
 
+  /// What `advance` adds to the stress.
+  template <int N, class T>
+  SymmetricTensor<N, T> stress_change(const Tensor<N, T>& g, const SymmetricTensor<N, T>& stress) const {
+    return jaumann_change(lame_, g, stress);
+  }
+
   /// The strain across is minus Poisson's part of that in the plane or along the bar; g (1 + g/2)^-1 is it.
   template <int N, class T>
   void relax(Tensor<N, T>& g, const RateState<N, T>&) const {

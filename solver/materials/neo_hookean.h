@@ -25,6 +25,13 @@ class NeoHookean {
             (lame_.mu / 2) * (trace(b) - 3.0) + ((lame_.lambda / 2) * log_volume - lame_.mu) * log_volume};
   }
 
+  /// As `response`, by H = F - 1: b - 1 = H + H^T + H H^T.
+  template <int N, class T>
+  SymmetricTensor<N, T> kirchhoff_of_change(const Tensor<N, T>& h) const {
+    return plus_diagonal(fused(2 * lame_.mu, symmetric_part(h), lame_.mu * left_cauchy_green(h)),
+                         lame_.lambda * logarithm_of_one_more(dilation(h)));
+  }
+
  private:
   LameConstants lame_;
 };

@@ -22,6 +22,23 @@ constexpr typename A::Scalar determinant(const A& a) {
         cross(a(0, 2), cross(a(1, 0), a(2, 1), d[1], a(2, 0)), a(0, 1), cross(a(1, 0), d[2], a(1, 2), a(2, 0))));
 }
 
+/// det(1 + a) - 1, without the loss of digits that taking off 1 from the determinant of what is near it has.
+template <AnyTensor A>
+constexpr typename A::Scalar dilation(const A& a) {
+  using T = typename A::Scalar;
+  const auto& d = a.diagonal;
+  const auto joined = [](const T& x, const T& y) { return fused(x, y, x + y); };
+  if constexpr (A::size < 3) {
+    T plane = joined(d[0], d[1]);
+    if constexpr (A::size == 2) plane = fused(-a(0, 1), a(1, 0), plane);
+    return joined(plane, d[2]);
+  } else {
+    // Trace, second invariant and determinant.
+    return trace(a) + (cross(d[0], d[1], a(0, 1), a(1, 0)) + cross(d[1], d[2], a(1, 2), a(2, 1)) +
+                       cross(d[0], d[2], a(0, 2), a(2, 0)) + determinant(a));
+  }
+}
+
 template <AnyTensor A>
 constexpr A inverse(const A& a) {
   using T = typename A::Scalar;

@@ -12,7 +12,9 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// nothing inside is a loop, and small arrays are registers only if all their indices are constants.
 template <int Count, class Body>
 [[gnu::always_inline]] constexpr void unroll(Body&& body) {
-  [&]<int... index>(std::integer_sequence<int, index...>) { (body(std::integral_constant<int, index>{}), ...); }
+  [&]<int... index>(std::integer_sequence<int, index...>) __attribute__((always_inline)) {
+    (body(std::integral_constant<int, index>{}), ...);
+  }
   (std::make_integer_sequence<int, Count>{});
 }
 

@@ -42,6 +42,10 @@ struct LawKernels {
   /// xx, yy, zz, xy, yz, xz (solid).
   void (*stress)(const Block&, double* const* out);
   Measurement measure;  ///< strain energy and wave speed
+  /// Of particles that are floats, by a law that is computed in them: scratch's narrow_force and narrow_gradient.
+  struct InFloats {
+    Stage force = nullptr, deform = nullptr;
+  } in_floats;
 };
 
 /// What all windows together have collected for a tile's nodes. Loads stay zero if there are none.
@@ -100,11 +104,12 @@ struct TransferKernels {
   int window_size() const { return window_copies * layout.window_nodes; }
 };
 
-/// Between particles that are floats and laws, which know doubles alone. None where particles are doubles.
+/// Between particles that are floats and laws that know doubles alone. None where particles are doubles.
 struct LawExchangeKernels {
-  Stage widen_state = nullptr;   ///< what particles carry for the law, before it
-  Stage narrow_state = nullptr;  ///< the same after it
-  Stage narrow_force = nullptr;  ///< what the law has given for the nodes
+  Stage widen_state = nullptr;     ///< what particles carry for the law, before it
+  Stage widen_gradient = nullptr;  ///< what has been gathered for it
+  Stage narrow_state = nullptr;    ///< what particles carry, after it
+  Stage narrow_force = nullptr;    ///< what the law has given for the nodes
 
   void widen(Block& block) const {
     if (widen_state) widen_state(block);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/schemes/law_deform.h"
+#include "solver/schemes/law_floats.h"
 
 /// The tables of a law's stages, one for each dimension and configuration.
 namespace trajan {
@@ -19,6 +20,14 @@ constexpr Stage deform_stage() {
     else
       return follow;
   }
+}
+
+template <class Law, Dimension D, bool TotalLagrangian>
+constexpr LawKernels::InFloats float_stages() {
+  if constexpr (is_computed_in_floats<Law, D, TotalLagrangian>())
+    return {&FloatStages<Law, D, TotalLagrangian>::force, &FloatStages<Law, D, TotalLagrangian>::deform};
+  else
+    return {};
 }
 
 /// The attributes of a deformation gradient, after others.
@@ -79,7 +88,8 @@ const LawKernels* table() {
                                   tracks ? &deform_updated<D, Law::rate_form> : nullptr,
                                   tracked,
                                   &Stages::stress,
-                                  &Stages::template measure<TotalLagrangian>};
+                                  &Stages::template measure<TotalLagrangian>,
+                                  float_stages<Law, D, TotalLagrangian>()};
   return &kernels;
 }
 

@@ -61,6 +61,7 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
     case Pass::locate:
       return joined({{transfer_.locate}, transfer.locate.stages});
     case Pass::force:
+      if (body.narrow && body.law->in_floats.force) return {body.law->in_floats.force};
       return present({exchange.widen_state, body.law->force, exchange.narrow_force});
     case Pass::scatter_state:
       return joined({transfer.scatter_state.stages, only_if(hoop, {transfer_.scatter_hoop}),
@@ -101,7 +102,9 @@ Stage Sweeps::sharing(std::size_t body) const {
 std::vector<Stage> Sweeps::deform_stages(const BodyParticles& body, std::size_t index) const {
   const LawExchangeKernels& exchange = motion_.law_exchange;
   const Stage track = body.carries(Attribute::deformation_xx) ? body.law->track : nullptr;
-  return present({exchange.widen_state, sharing(index), body.law->deform, track, exchange.narrow_state});
+  if (body.narrow && body.law->in_floats.deform && !track && !sharing(index)) return {body.law->in_floats.deform};
+  return present({exchange.widen_state, exchange.widen_gradient, sharing(index), body.law->deform, track,
+                  exchange.narrow_state});
 }
 
 unsigned Sweeps::gathered(Pass pass) const {
@@ -161,6 +164,8 @@ std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t ind
   const AffineKernels& affine = transfer_.affine;
   if (const char* of_law = name_among({{body.law->force, "force"},
                                        {body.law->deform, "deform"},
+                                       {body.law->in_floats.force, "force in floats"},
+                                       {body.law->in_floats.deform, "deform in floats"},
                                        {body.law->track, "track deformation"},
                                        {sharing(index), "share dilatation"}},
                                       stage))
@@ -190,6 +195,7 @@ std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t ind
                                  {motion_.displace, "displace"},
                                  {motion_.take_velocity, "take velocity"},
                                  {motion_.law_exchange.widen_state, "widen"},
+                                 {motion_.law_exchange.widen_gradient, "widen gradient"},
                                  {motion_.law_exchange.narrow_state, "narrow"},
                                  {motion_.law_exchange.narrow_force, "narrow force"},
                                  {take_half, "half a step"},

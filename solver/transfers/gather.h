@@ -77,7 +77,7 @@ template <class Stencil, Layout L>
 inline void gather_gradient(Block& block) {
   constexpr int D = L.dimensions;
   const Real per_cell = Real(block.sweep->inverse_cell);
-  BlockDoubles* gradient = block.scratch->gradient;
+  RealArray* gradient = scratch_of(block).gradient_of_grid();
   gather<Stencil, L>(
       block, node_mapped_velocity, [=](int i, int a, const auto& sums) __attribute__((always_inline)) {
         for (int b = 0; b < D; ++b) store(gradient[a * D + b].values + i, per_cell * sums[1 + b]);

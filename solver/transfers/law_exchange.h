@@ -34,6 +34,13 @@ struct NarrowParticles {
       for (int i = 0; i < block.count; ++i) to[i] = rounded(from[i] - rest, i);
     }
   }
+  static void widen_gradient(Block& block) {
+    for (int k = 0; k < Axes * Axes; ++k) {
+      const Number* from = scratch(block).narrow_gradient[k].data();
+      double* to = scratch(block).gradient[k].data();
+      for (int i = 0; i < block.count; ++i) to[i] = static_cast<double>(from[i]);
+    }
+  }
   static void narrow_force(Block& block) {
     for (int k = 0; k < Axes * Axes; ++k) {
       const double* from = scratch(block).force[k].data();
@@ -50,7 +57,8 @@ constexpr LawExchangeKernels law_exchange() {
   if constexpr (std::is_same_v<Number, double>)
     return {};
   else
-    return {&Particles::widen_state, &Particles::narrow_state, &Particles::narrow_force};
+    return {&Particles::widen_state, &Particles::widen_gradient, &Particles::narrow_state,
+            &Particles::narrow_force};
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

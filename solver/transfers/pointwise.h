@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/schemes/kernels.h"
+#include "solver/transfers/real.h"
 #include "solver/transfers/rounding.h"
 
 /// Stages that change particles by what has been gathered for them, whatever their law.
