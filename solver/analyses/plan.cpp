@@ -97,8 +97,9 @@ double entries_of_factor(const double (&nodes)[3], int axes, double reach) {
   return of_node * axes * (reach - 1) * separator;
 }
 
-/// Of particles' stencils and tangents, of sparse matrices and of their factor, or of multigrid: there are the
-/// tangent and the one before, which are those on coarser grids seventh parts of, and some numbers of each node.
+/// Of particles' stencils and tangents, of sparse matrices and of their factor, or of multigrid: matrices on
+/// coarser grids have a seventh part of the tangent's entries, and there are some numbers of each node. With what
+/// is left over from assembling, a cube's peak is as much again.
 std::int64_t memory_of_matrices(const Model& model, const Body& body, double active_cells) {
   // With what assembling and ordering hold of them, and the initial stress' stiffness where loads of buckling are
   // sought.

@@ -33,6 +33,7 @@ NewtonIterations::State NewtonIterations::fail(Failure why) {
 NewtonIterations::State NewtonIterations::iterate() {
   if (failure_ != Failure::none) return State::failed;
   const SparseMatrix& expand = balance_.constraints().expand();
+  solver_.release();
   SparseMatrix tangent = balance_.tangent();
   Eigen::VectorXd residual = balance_.residual();
   const bool first = residuals_.empty();

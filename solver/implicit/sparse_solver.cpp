@@ -256,6 +256,13 @@ SparseSolver::SparseSolver(LinearSolver choice) : choice_(choice), methods_(std:
 }
 SparseSolver::~SparseSolver() = default;
 
+void SparseSolver::release() {
+  Methods& m = *methods_;
+  if (m.used != Methods::Used::multigrid && m.used != Methods::Used::incomplete) return;
+  SparseMatrix none;
+  m.begin(none);
+}
+
 const SparseSolver::Factors& SparseSolver::factors() const { return methods_->factors; }
 int SparseSolver::iterations() const { return methods_->iterations; }
 

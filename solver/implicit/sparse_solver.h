@@ -33,6 +33,8 @@ class SparseSolver {
   /// scaled system. Where iterations do not get there factors are tried after all, and if they are too large
   /// factors() are not regular any more: what is returned solves nothing, but goes where the matrix gives way.
   Eigen::VectorXd solve(const Eigen::VectorXd& right, double tolerance = 1e-12) const;
+  /// Gives back the memory of a matrix that has no factors: before the next one is made.
+  void release();
   /// What is known of the matrix, by solving too.
   const Factors& factors() const;
   /// Of the last solution, 0: by factors.
