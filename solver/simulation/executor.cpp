@@ -50,6 +50,18 @@ void forget_loads(NodeSums& sums, int axes) {
   for (int axis = 0; axis < axes; ++axis) std::ranges::fill(sums.values[quantity(sum_load, axis, axes)], 0.0);
 }
 
+/// To other particles of the same body.
+void point_to(Block& block, const BodyParticles& body, const BlockRange& range) {
+  block.count = range.count;
+  for (Attribute a : body.present) {
+    const auto k = static_cast<std::size_t>(a);
+    if (body.floats[k].empty())
+      block.arrays[k] = const_cast<double*>(body.arrays[k].data()) + range.begin;
+    else
+      block.floats[k] = const_cast<float*>(body.floats[k].data()) + range.begin;
+  }
+}
+
 }  // namespace
 
 Executor::Executor(const Model& model, int threads, Filling filling)
@@ -182,24 +194,22 @@ void Executor::run_tile(std::size_t index, const Sweep& sweep, Scratch& scratch)
   const int window_nodes = transfer_.layout.window_nodes;
   double* sums = tiles_.sums(index) + sweep.first_sum * window_nodes;
   std::fill(sums, sums + sweep.sums * window_nodes, 0.0);
+  Block block;
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
-    Block block = make_block(tile, tiles_.blocks()[b], scratch);
+    const BlockRange& range = tiles_.blocks()[b];
+    if (block.body == &bodies_[range.body].constants)
+      point_to(block, bodies_[range.body], range);
+    else
+      block = make_block(tile, range, scratch);
     block.sums = tiles_.sums(index);
-    for (Stage stage : sweep.stages[tiles_.blocks()[b].body]) stage(block);
+    for (Stage stage : sweep.stages[range.body]) stage(block);
   }
 }
 
 Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const {
   const BodyParticles& body = bodies_[range.body];
   Block block;
-  block.count = range.count;
-  for (Attribute a : body.present) {
-    const auto k = static_cast<std::size_t>(a);
-    if (body.floats[k].empty())
-      block.arrays[k] = const_cast<double*>(body.arrays[k].data()) + range.begin;
-    else
-      block.floats[k] = const_cast<float*>(body.floats[k].data()) + range.begin;
-  }
+  point_to(block, body, range);
   block.body = &body.constants;
   block.sweep = &sweep_;
   for (int axis = 0; axis < axes_; ++axis) {
@@ -231,11 +241,12 @@ void Executor::prepare(const StepTimes& times) {
 }
 
 NodeBlock Executor::node_block(std::size_t tile, std::size_t thread) {
-  NodeBlock block;
-  block.nodes = tiles_.nodes(tile);
-  block.sums = tiles_.sums_around(tiles_.tiles()[tile]);
-  block.sum_quantities = tiles_.sum_quantities();
-  block.kick = times_.kick();
+  // Made in place: what is copied as soon as it is written waits until all that was written before is in the
+  // cache, as velocities of the last tile. In a plane about 0.9 ns per particle and step.
+  NodeBlock block{.nodes = tiles_.nodes(tile),
+                  .sums = tiles_.sums_around(tiles_.tiles()[tile]),
+                  .sum_quantities = tiles_.sum_quantities(),
+                  .kick = times_.kick()};
   block.damping = model_.damping;
   block.least_mass = least_mass_share * lightest_particle_;
   block.collected = &collected_[in_one_pass() ? thread : tile];
