@@ -84,6 +84,12 @@ struct LawExchange<double> : Scratch {
 /// All of it.
 template <class Number>
 struct alignas(64) TransferScratch : LawExchange<Number> {
+  /// Where runs of consecutive particles with the same nodes begin and, after the last one, where it ends.
+  /// Particles are ordered by their stencils: what is the same for a run is done once. Runs are found before any
+  /// is worked on, for a processor that guesses where the next one ends guesses wrong once a run in a body that
+  /// drifts.
+  std::int32_t run_begin[block_size + 16];
+  int runs = 0;
   BlockArray<Number> place[3];      ///< distance from the stencil's first node, in cells
   BlockArray<Number> weight[3][4];  ///< shape functions along each axis, of consecutive nodes
   BlockArray<Number> slope[3][4];   ///< their derivatives, per cell

@@ -37,8 +37,8 @@ void locate_to_faces(Block& block) {
   RealScratch& s = scratch_of(block);
   const SweepConstants& c = *block.sweep;
   const PointFunctions& functions = point_functions(Shape::name);
+  find_places<Shape, L>(block);
   for (int axis = 0; axis < L.dimensions; ++axis) {
-    locate_along<Shape, L>(block, axis);
     if (c.period[axis] > 0) {
       weigh_along<Shape>(block, axis);
       continue;
@@ -74,7 +74,7 @@ constexpr StencilKernel kernel(bool to_faces) {
     return &append<CornerStencil<layout>, layout, &locate_corners<Shape, layout>>;
   } else {
     constexpr Layout layout{D, Shape::wide};
-    using Stencil = ProductStencil<Shape::nodes, layout>;
+    using Stencil = ProductStencil<Shape::nodes, layout, ShapeSlopes>;
     if constexpr (Shape::folds && polynomial_degree(Shape::name) > 1)
       if (to_faces) return &append<Stencil, layout, &locate_to_faces<Shape, layout>>;
     return &append<Stencil, layout, &locate<Shape, layout>>;

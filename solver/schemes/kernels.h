@@ -70,10 +70,11 @@ struct NodeBlock {
 /// What affine transfers need: velocities that vary linearly about their particle. Not of all shape functions.
 struct AffineKernels {
   Stage find_levers = nullptr;
-  Stage begin = nullptr;    ///< makes of the gradient of initial velocities what particles carry
-  Stage scatter = nullptr;  ///< momentum, besides that of the particles' own velocities
-  Stage gather = nullptr;   ///< the grid's velocity, and what particles carry of it
-  Stage kick = nullptr;     ///< the grid's acceleration, and what it adds to that
+  Stage begin = nullptr;  ///< makes of the gradient of initial velocities what particles carry
+  /// As of other transfers, with the momentum of velocities that vary.
+  Stage scatter_state = nullptr, scatter_momentum = nullptr;
+  Stage gather = nullptr;  ///< the grid's velocity, and what particles carry of it
+  Stage kick = nullptr;    ///< the grid's acceleration, and what it adds to that
 };
 
 /// What depends on the shape functions and the dimension.

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <limits>
-
 #include "solver/transfers/gather.h"
-#include "solver/transfers/locate.h"
+#include "solver/transfers/levers.h"
 #include "solver/transfers/scatter.h"
 
 /// Velocities that vary linearly about their particle (Jiang, Schroeder and Teran 2017). A particle carries
@@ -12,47 +10,6 @@
 /// move. Where shape functions are products D is diagonal.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-struct LeverSlopes {
-  static const RealArray* along(const RealScratch& s, int axis) { return s.levers[axis].lever; }
-};
-
-/// Levers add up to zero and, times the distances of the nodes, to one. So do slopes, which they become where a
-/// particle has all its weight on one node; by linear functions and Bernstein polynomials they are the same
-/// everywhere. What rounding has left of the first sum goes to the nodes by their weights, lest a small D make
-/// momentum of it.
-template <int Nodes>
-inline void find_levers_along(Block& block, int axis) {
-  RealScratch& s = scratch_of(block);
-  Levers<Real>& out = s.levers[axis];
-  const Real* place = s.place[axis].data();
-#pragma GCC ivdep
-  for (int i = 0; i < block.count; ++i) {
-    Real lever[Nodes], inertia = 0, sum = 0;
-    for (int n = 0; n < Nodes; ++n) {
-      const Real distance = Real(n) - place[i];
-      lever[n] = s.weight[axis][n][i] * distance;
-      inertia += lever[n] * distance;
-    }
-    // Some thousand roundings of the weights.
-    const bool some = inertia > 4500 * std::numeric_limits<Real>::epsilon();
-    const Real inverse = 1 / (some ? inertia : 1);
-    for (int n = 0; n < Nodes; ++n) {
-      lever[n] = some ? lever[n] * inverse : s.slope[axis][n][i];
-      sum += lever[n];
-    }
-    for (int n = 0; n < Nodes; ++n) out.lever[n][i] = lever[n] - sum * s.weight[axis][n][i];
-    out.inertia[i] = inertia;
-  }
-}
-
-template <class Shape, int D>
-inline void find_levers(Block& block) {
-  for (int axis = 0; axis < D; ++axis) {
-    if constexpr (Shape::nodes == 2) weigh_along<Shape>(block, axis);
-    find_levers_along<Shape::nodes>(block, axis);
-  }
-}
 
 /// A component of the matrix that particles carry.
 __attribute__((always_inline)) inline Real* affine(const Block& block, int a, int b) {
@@ -69,33 +26,55 @@ inline void begin_affine(Block& block) {
         affine(block, a, b)[i] *= square * scratch_of(block).levers[b].inertia[i];
 }
 
+/// A row's momentum of a particle whose velocity varies linearly. Slopes are levers.
+template <int D>
+struct AffineVelocity {
+  template <class Row>
+  __attribute__((always_inline)) static Row add_momentum(const Block& block, int axis, int i, Row m,
+                                                         const Row* levers, Row sum) {
+    sum = UniformVelocity::add_momentum(block, axis, i, m, levers, sum);
+#pragma GCC unroll 3
+    for (int b = 0; b < D; ++b)
+      sum = multiply_add(levers[b], spread<Row>(scratch_of(block).levers[b].moment[axis].values[i]), sum);
+    return sum;
+  }
+};
+
+/// Mass times B, over the cell size, to the levers' moments, for AffineVelocity.
+template <int D>
+inline void weigh_affine(Block& block) {
+  const double inverse_cell = block.sweep->inverse_cell;
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) {
+      const Real* of_particles = affine(block, a, b);
+      Real* moment = scratch_of(block).levers[b].moment[a].values;
+#pragma GCC ivdep
+      for (int i = 0; i < block.count; ++i) moment[i] = Real(block.mass(i) * inverse_cell) * of_particles[i];
+    }
+}
+
+/// Momentum of velocities that vary goes with that of the particles' own, where weights and sums are at hand: in a
+/// plane by quadratic B-splines 4 ns less per particle and step than by itself.
 template <class Stencil, Layout L>
-inline void scatter_affine(Block& block) {
-  constexpr int D = L.dimensions;
-  using Row = typename Stencil::Row;
-  scatter<Stencil, L, D>(
-      block, quantity(sum_momentum, 0, D), [&](int i) __attribute__((always_inline)) {
-        const Real mass_per_cell = Real(block.mass(i) * block.sweep->inverse_cell);
-        return [&, i, mass_per_cell ](Row, const Row* lever, Row* sums) __attribute__((always_inline)) {
-#pragma GCC unroll 3
-          for (int a = 0; a < D; ++a)
-#pragma GCC unroll 3
-            for (int b = 0; b < D; ++b)
-              sums[a] = multiply_add(lever[b], spread<Row>(mass_per_cell * affine(block, a, b)[i]), sums[a]);
-        };
-      });
+inline void scatter_affine_state(Block& block) {
+  weigh_affine<L.dimensions>(block);
+  scatter_state<Stencil, L, AffineVelocity<L.dimensions>>(block);
+}
+template <class Stencil, Layout L>
+inline void scatter_affine_momentum(Block& block) {
+  weigh_affine<L.dimensions>(block);
+  scatter_momentum<Stencil, L, AffineVelocity<L.dimensions>>(block);
 }
 
 /// What B is of a vector of the nodes goes to the levers, per the cell size and D; the vector to `out`.
 template <class Stencil, Layout L>
 __attribute__((always_inline)) inline void gather_moments(Block& block, NodeVector vector, RealArray* out) {
-  constexpr int D = L.dimensions;
   std::vector<Levers<Real>>& levers = scratch_of(block).levers;
-  gather<Stencil, L>(
-      block, vector, [&](int i, int a, const auto& sums) __attribute__((always_inline)) {
-        store(out[a].values + i, sums[0]);
-        for (int b = 0; b < D; ++b) store(levers[b].moment[a].values + i, sums[1 + b]);
-      });
+  const auto keep = [&](int i, int a, const auto& sums) __attribute__((always_inline)) {
+    store(out[a].values + i, sums[0]);
+    for (int b = 0; b < L.dimensions; ++b) store(levers[b].moment[a].values + i, sums[1 + b]);
+  };
+  gather<Stencil, L>(block, Gathered{vector, keep});
 }
 
 /// The grid's velocity, and B of it.

@@ -19,8 +19,8 @@ struct Apic {
     TransferPasses passes;
     passes.begin = {affine.begin};
     passes.locate = {affine.find_levers};
-    passes.scatter_state = {kernels.scatter_state, affine.scatter};
-    passes.scatter_momentum = {kernels.scatter_momentum, affine.scatter};
+    passes.scatter_state = {affine.scatter_state};
+    passes.scatter_momentum = {affine.scatter_momentum};
     passes.update_velocity = {{affine.gather, motion.take_velocity}, {node_velocity}};
     passes.kick = {{affine.kick, motion.kick}, {node_acceleration}};
     return passes;

@@ -121,7 +121,7 @@ inline void tabulate(Block& block, int i) {
 
 template <class Shape, Layout L>
 inline void locate_corners(Block& block) {
-  for (int axis = 0; axis < L.dimensions; ++axis) locate_along<Shape, L>(block, axis);
+  find_places<Shape, L>(block);
   for (int i = 0; i < block.count; ++i) tabulate<L.dimensions>(block, i);
 }
 template <class Shape, Layout L>

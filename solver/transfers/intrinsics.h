@@ -76,6 +76,40 @@ __attribute__((always_inline)) inline float multiply_add(float a, float b, float
 #endif
 }
 
+/// Some lanes of a vector: those from one on.
+template <class Vector>
+struct LanesFrom {
+  using Index = std::conditional_t<sizeof(std::declval<Vector&>()[0]) == 8, std::int64_t, std::int32_t>;
+  static constexpr int lanes = sizeof(Vector) / sizeof(Index);
+  typedef Index Indices __attribute__((vector_size(sizeof(Vector))));
+
+  explicit LanesFrom(int first = 0) {
+#pragma GCC unroll 16
+    for (int lane = 0; lane < lanes; ++lane) mask[lane] = lane >= first ? -1 : 0;
+  }
+  /// Puts a number in these lanes.
+  template <class Number>
+  __attribute__((always_inline)) Vector put(const Number* number, Vector into) const {
+    return mask ? *number - Vector{} : into;
+  }
+
+  Indices mask;
+};
+#ifdef __AVX512F__
+template <class Vector>
+requires(sizeof(Vector) == 64) struct LanesFrom<Vector> {
+  explicit LanesFrom(int first = 0) : mask(static_cast<__mmask16>(0xFFFF << first)) {}
+  __attribute__((always_inline)) Vector put(const double* number, __m512d into) const {
+    return _mm512_mask_broadcastsd_pd(into, static_cast<__mmask8>(mask), _mm_load_sd(number));
+  }
+  __attribute__((always_inline)) Vector put(const float* number, __m512 into) const {
+    return _mm512_mask_broadcastss_ps(into, mask, _mm_load_ss(number));
+  }
+
+  __mmask16 mask;
+};
+#endif
+
 /// Writes the indices i in 1 .. count - 1 with values[i] != values[i - 1], in order, and returns how many there
 /// are. Without a branch that depends on the values, and with room for 8 indices more.
 inline int find_changes(const std::int64_t* values, int count, std::int32_t* out) {

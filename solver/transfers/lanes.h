@@ -8,7 +8,34 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 // Arrays of a block have room for the lanes past its last particle.
 static_assert(sizeof(Lanes) / sizeof(Real) <= 2 * block_padding);
 
-/// Several consecutive particles with the same nodes at once, each a lane.
+/// What the nodes of several particles hold, the particles of each of so many runs a range of lanes: with four
+/// particles to a cell one run alone would leave half of eight lanes empty.
+template <int Runs>
+class NodesOfRuns {
+ public:
+  /// Of the particles from the first one of a run on.
+  NodesOfRuns(const RealScratch& s, int run, const Real* window) {
+    const int begin = s.run_begin[run], last = s.runs - 1;
+#pragma GCC unroll 4
+    for (int r = 0; r < Runs; ++r) {
+      const int first = s.run_begin[run + r < last ? run + r : last];
+      from_[r] = hidden(window + s.cell[first]);
+      if (r > 0) lanes_[r - 1] = LanesFrom<Lanes>(first - begin);
+    }
+  }
+  __attribute__((always_inline)) Lanes operator[](int node) const {
+    Lanes values = spread<Lanes>(from_[0][node]);
+#pragma GCC unroll 4
+    for (int r = 1; r < Runs; ++r) values = lanes_[r - 1].put(from_[r] + node, values);
+    return values;
+  }
+
+ private:
+  const Real* from_[Runs];
+  LanesFrom<Lanes> lanes_[Runs];
+};
+
+/// Several consecutive particles at once, each a lane.
 template <int Nodes, Layout L, class Slopes = ShapeSlopes>
 struct ProductLanes {
   static constexpr int D = L.dimensions;
@@ -24,19 +51,20 @@ struct ProductLanes {
       }
   }
 
-  /// sums[0]: of what the nodes hold from `nodes` on, times their weights; sums[1 + axis]: times slopes along it.
-  template <int Axes = D>
-  __attribute__((always_inline)) void contract(const Real* nodes, Lanes (&sums)[1 + Axes]) const {
+  /// sums[0]: of what the nodes hold, counted from `from`, times their weights; sums[1 + axis]: times slopes along
+  /// it.
+  template <int Axes = D, class NodeValues>
+  __attribute__((always_inline)) void contract(const NodeValues& nodes, int from, Lanes (&sums)[1 + Axes]) const {
     constexpr int axis = Axes - 1;
 #pragma GCC unroll 4
     for (int n = 0; n < Nodes; ++n) {
       if constexpr (axis == 0) {
-        const Lanes node = spread<Lanes>(nodes[n]);
+        const Lanes node = nodes[from + n];
         sums[0] = n == 0 ? weight[0][n] * node : multiply_add(weight[0][n], node, sums[0]);
         sums[1] = n == 0 ? slope[0][n] * node : multiply_add(slope[0][n], node, sums[1]);
       } else {
         Lanes inner[Axes];
-        contract<axis>(nodes + n * L.window_stride(axis), inner);
+        contract<axis>(nodes, from + n * L.window_stride(axis), inner);
 #pragma GCC unroll 3
         for (int s = 0; s < Axes; ++s)
           sums[s] = n == 0 ? weight[axis][n] * inner[s] : multiply_add(weight[axis][n], inner[s], sums[s]);
@@ -63,17 +91,17 @@ struct ProductLanes<2, L, ShapeSlopes> {
     }
   }
 
-  template <int Axes = D>
-  __attribute__((always_inline)) void contract(const Real* nodes, Lanes (&sums)[1 + Axes]) const {
+  template <int Axes = D, class NodeValues>
+  __attribute__((always_inline)) void contract(const NodeValues& nodes, int from, Lanes (&sums)[1 + Axes]) const {
     constexpr int axis = Axes - 1;
     if constexpr (axis == 0) {
-      const Lanes left = spread<Lanes>(nodes[0]), right = spread<Lanes>(nodes[1]);
+      const Lanes left = nodes[from], right = nodes[from + 1];
       sums[0] = multiply_add(upper[0], right, lower[0] * left);
       sums[1] = right - left;
     } else {
       Lanes below[Axes], above[Axes];
-      contract<axis>(nodes, below);
-      contract<axis>(nodes + L.window_stride(axis), above);
+      contract<axis>(nodes, from, below);
+      contract<axis>(nodes, from + L.window_stride(axis), above);
 #pragma GCC unroll 3
       for (int s = 0; s < Axes; ++s) sums[s] = multiply_add(upper[axis], above[s], lower[axis] * below[s]);
       sums[Axes] = above[0] - below[0];

@@ -1,44 +1,68 @@
 #pragma once
 
-#include "solver/transfers/real.h"
+#include "solver/transfers/runs.h"
 #include "solver/transfers/vectors.h"
 
 /// Where particles are: the first node of each one's stencil, and the shape functions there.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Along one axis: adds the first node to the index of the stencil's and keeps the place in the stencil. A
-/// particle that is not where its tile allows is put to the nearest place that is, so that what follows is
-/// harmless, and counted.
+/// The first node of each particle's stencil and its place in the stencil. A particle that is not where its tile
+/// allows is put to the nearest place that is, so that what follows is harmless, and counted.
 template <class Shape, Layout L>
-inline void locate_along(Block& block, int axis) {
+inline void find_places(Block& block) {
   RealScratch& s = scratch_of(block);
   const SweepConstants& c = *block.sweep;
-  const double* x = block.component(Attribute::position_x, axis);
-  const double below = 1 - 0x1p-40, lowest = block.lowest[axis], highest = block.highest[axis] + below;
-  const double origin = c.origin[axis], inverse_cell = c.inverse_cell, first = block.window_first[axis];
-  const double period = c.period[axis];
-  const int stride = L.window_stride(axis);
-  Real* place = s.place[axis].data();
+  struct Axis {
+    const double* x;
+    Real* place;
+    double origin, first, lowest, highest, period, divisor;
+  };
+  Axis axes[L.dimensions];
+  const double below = 1 - 0x1p-40, to_nodes = L.below - 1;
+  bool any_period = false;
+  for (int a = 0; a < L.dimensions; ++a) {
+    const double period = c.period[a];
+    axes[a] = {.x = block.component(Attribute::position_x, a),
+               .place = s.place[a].data(),
+               .origin = c.origin[a],
+               .first = block.window_first[a] - to_nodes,
+               .lowest = block.lowest[a] + to_nodes,
+               .highest = block.highest[a] + to_nodes + below,
+               .period = period,
+               .divisor = period > 0 ? period : 1};
+    any_period = any_period || period > 0;
+  }
+  const double inverse_cell = c.inverse_cell;
   std::int64_t left = 0;
-  const auto locate_each = [&](auto in_window) __attribute__((always_inline)) {
+  const auto find_each = [&](auto in_window) __attribute__((always_inline)) {
 #pragma GCC ivdep
     for (int i = 0; i < block.count; ++i) {
-      const double at = in_window((x[i] - origin) * inverse_cell - first);
-      const double not_below = at > lowest ? at : lowest;
-      const double inside = not_below < highest ? not_below : highest;
-      left += inside != at;
-      const double node = inside + (L.below - 1);
-      const int base = Shape::first_node(node);
-      s.cell[i] = (axis == 0 ? 0 : s.cell[i]) + base * stride;
-      place[i] = Real(node - base);
+      double cell = 0;
+      int is_out = 0;
+#pragma GCC unroll 3
+      for (int a = 0; a < L.dimensions; ++a) {
+        const Axis& axis = axes[a];
+        const double at = in_window((axis.x[i] - axis.origin) * inverse_cell - axis.first, axis);
+        const double not_below = at > axis.lowest ? at : axis.lowest;
+        const double inside = not_below < axis.highest ? not_below : axis.highest;
+        is_out |= inside != at;
+        const double base = Shape::first_node(inside);
+        axis.place[i] = Real(inside - base);
+        cell += base * L.window_stride(a);
+      }
+      left += is_out;
+      s.cell[i] = static_cast<int>(cell);
     }
   };
-  if (period > 0)
-    locate_each([=](double at) { return at - period * __builtin_floor((at - lowest) / period); });
+  if (any_period)
+    find_each([](double at, const Axis& axis) {
+      return at - axis.period * __builtin_floor((at - axis.lowest) / axis.divisor);
+    });
   else
-    locate_each([](double at) { return at; });
+    find_each([](double at, const Axis&) { return at; });
   s.trouble.left_window += left;
+  find_runs(block);
 }
 
 /// Shape functions of nodes beyond a face of the domain do not exist: what they would carry is the linear
@@ -95,8 +119,8 @@ inline void weigh_along(Block& block, int axis) {
 
 template <class Shape, Layout L>
 inline void locate(Block& block) {
+  find_places<Shape, L>(block);
   for (int axis = 0; axis < L.dimensions; ++axis) {
-    locate_along<Shape, L>(block, axis);
     // Two nodes' weights follow from the place alone.
     if constexpr (Shape::nodes > 2) weigh_along<Shape>(block, axis);
     if constexpr (Shape::folds) {

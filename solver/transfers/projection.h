@@ -11,16 +11,14 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 template <class Stencil, Layout L>
 inline void gather_projected(Block& block) {
-  gather_vector<Stencil, L>(block, node_projected_velocity, scratch_of(block).velocity);
+  gather<Stencil, L>(block, Gathered{node_projected_velocity, keep_in(scratch_of(block).velocity)});
 }
 
 template <class Stencil, Layout L>
 inline void remap(Block& block) {
   RealArray* at_particles = scratch_of(block).velocity;
-  gather_vector<Stencil, L>(block, node_remainder, at_particles);
-  scatter_vector<Stencil, L>(
-      block,
-      sum_momentum, [at_particles](int a, int i) __attribute__((always_inline)) { return at_particles[a][i]; });
+  gather<Stencil, L>(block, Gathered{node_remainder, keep_in(at_particles)});
+  scatter_vector<Stencil, L>(block, sum_momentum, at_particles);
 }
 
 template <Layout L>

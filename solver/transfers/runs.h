@@ -1,31 +1,29 @@
 #pragma once
 
-#include "solver/executors/block.h"
 #include "solver/transfers/intrinsics.h"
+#include "solver/transfers/real.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Where runs of consecutive particles with the same nodes begin and, after the last one, where it ends. Particles
-/// are ordered by their stencils: what is the same for a run is done once. Runs are found before any is worked on,
-/// for a processor that guesses where the next one ends guesses wrong once a run in a body that drifts.
-struct Runs {
-  std::int32_t begin[block_size + 16];
-  int count;
+/// To be called once cells are known.
+inline void find_runs(Block& block) {
+  RealScratch& s = scratch_of(block);
+  s.run_begin[0] = 0;
+  s.runs = 1 + find_changes(s.cell, block.count, s.run_begin + 1);
+  s.run_begin[s.runs] = block.count;
+}
 
-  explicit Runs(const Block& block) {
-    begin[0] = 0;
-    count = 1 + find_changes(block.scratch->cell, block.count, begin + 1);
-    begin[count] = block.count;
-  }
-};
-
-/// Calls of(begin, end, first node) for every run.
+/// Calls of(begin, end, first node) for every second run, then for the others. What two that follow each other add
+/// to nodes overlaps, and a processor that has just written something reads it at once only if it is the same
+/// bytes; otherwise it waits for the cache: 2D, linear functions, 2.6 -> 1.8 ns per particle and step for momentum
+/// alone.
 template <class Function>
 __attribute__((always_inline)) inline void for_each_run(const Block& block, Function&& of) {
-  const Runs runs(block);
-  for (int run = 0; run < runs.count; ++run)
-    of(runs.begin[run], runs.begin[run + 1], block.scratch->cell[runs.begin[run]]);
+  const RealScratch& s = scratch_of(block);
+  for (int first = 0; first < 2; ++first)
+    for (int run = first; run < s.runs; run += 2)
+      of(s.run_begin[run], s.run_begin[run + 1], s.cell[s.run_begin[run]]);
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -1,55 +1,28 @@
 #pragma once
 
-#include "solver/transfers/runs.h"
-#include "solver/transfers/stencil.h"
+#include "solver/transfers/scatter_rows.h"
 
 /// Particles to grid, with any shape functions.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Adds what particles give to their nodes. give(i) is a function that adds what particle i gives to a row of
-/// nodes, of (weights, slopes[D], sums of the row). The sums of a run stay in registers until the nodes change;
-/// then add(which, index of the row's first node, sum) is called for each.
-template <class Stencil, int Sums, class Give, class Add>
-__attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& give, Add&& add_sum) {
-  using Row = typename Stencil::Row;
-  const RealScratch& s = scratch_of(block);
-  for_each_run(
-      block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
-        Row of_run[Stencil::rows][Sums] = {};
-        for (int i = begin; i < end; ++i) {
-          const auto give_row = give(i);
-          int row = 0;
-          Stencil(s, i).for_each_row([&](int, Row w, const Row* slopes)
-                                         __attribute__((always_inline)) { give_row(w, slopes, of_run[row++]); });
-        }
-        int row = 0;
-        Stencil(s, begin).for_each_row([&](int at, Row, const Row*) __attribute__((always_inline)) {
-#pragma GCC unroll 7
-          for (int sum = 0; sum < Sums; ++sum) add_sum(sum, node + at, of_run[row][sum]);
-          ++row;
-        });
-      });
-}
+/// A row's momentum of a particle that has the same velocity everywhere. `m`: weights times mass.
+struct UniformVelocity {
+  template <class Row>
+  __attribute__((always_inline)) static Row add_momentum(const Block& block, int axis, int i, Row m, const Row*,
+                                                         Row sum) {
+    return multiply_add(m, spread<Row>(component_of(block, Attribute::velocity_x, axis)[i]), sum);
+  }
+};
 
-/// The same with one sum for each quantity, so many from `first` on.
-template <class Stencil, Layout L, int Quantities, class Give>
-__attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give) {
-  double* sums = block.sums + first * L.window_nodes;
-  scatter_rows<Stencil, Quantities>(
-      block, give, [=](int q, std::int64_t at, auto row) __attribute__((always_inline)) {
-        Stencil::add_row(sums + q * L.window_nodes + at, row);
-      });
-}
-
-/// Mass, momentum and internal force.
-template <class Stencil, Layout L>
+/// Mass, momentum and internal force. Slopes are those of the shape functions, then what the velocity needs.
+template <class Stencil, Layout L, class Velocity = UniformVelocity>
 inline void scatter_state(Block& block) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
   RealScratch& s = scratch_of(block);
   const RealArray* force = s.force_on_nodes();
-  s.trouble.runs += Runs(block).count;
+  s.trouble.runs += s.runs;
   scatter_rows<Stencil, quantities(2, D)>(
       block,
       [&](int i) __attribute__((always_inline)) {
@@ -59,7 +32,7 @@ inline void scatter_state(Block& block) {
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) {
             Row& momentum = sums[quantity(sum_momentum, a, D)];
-            momentum = multiply_add(m, spread<Row>(component_of(block, Attribute::velocity_x, a)[i]), momentum);
+            momentum = Velocity::add_momentum(block, a, i, m, slope + D, momentum);
             Row& resistance = sums[quantity(sum_force, a, D)];
 #pragma GCC unroll 3
             for (int b = 0; b < D; ++b)
@@ -83,35 +56,46 @@ inline void scatter_mass(Block& block) {
       });
 }
 
-/// A vector that particles of mass m have, times m.
-template <class Stencil, Layout L, class Value>
-__attribute__((always_inline)) inline void scatter_vector(Block& block, SumVector vector, Value&& value) {
+/// A vector times mass: add(axis, i, weights times mass, slopes, sum) gives the sum with what particle i adds.
+template <class Stencil, Layout L, class AddProduct>
+__attribute__((always_inline)) inline void scatter_products(Block& block, SumVector vector,
+                                                            AddProduct&& add_product) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
   scatter<Stencil, L, D>(
       block, quantity(vector, 0, D), [&](int i) __attribute__((always_inline)) {
-        return [&, i ](Row w, const Row*, Row* sums) __attribute__((always_inline)) {
+        return [&, i ](Row w, const Row* slopes, Row* sums) __attribute__((always_inline)) {
           const Row m = w * Real(block.mass(i));
 #pragma GCC unroll 3
-          for (int a = 0; a < D; ++a) sums[a] = multiply_add(m, spread<Row>(value(a, i)), sums[a]);
+          for (int a = 0; a < D; ++a) sums[a] = add_product(a, i, m, slopes, sums[a]);
         };
       });
 }
 
-/// Momentum alone, for the second mapping of MUSL.
+/// A vector that particles of mass m have, times m.
 template <class Stencil, Layout L>
+inline void scatter_vector(Block& block, SumVector vector, const RealArray* values) {
+  using Row = typename Stencil::Row;
+  scatter_products<Stencil, L>(
+      block, vector, [values](int a, int i, Row m, const Row*, Row sum) __attribute__((always_inline)) {
+        return multiply_add(m, spread<Row>(values[a].values[i]), sum);
+      });
+}
+
+/// Momentum alone, for the second mapping of MUSL.
+template <class Stencil, Layout L, class Velocity = UniformVelocity>
 inline void scatter_momentum(Block& block) {
-  scatter_vector<Stencil, L>(
-      block, sum_momentum, [&](int a, int i) __attribute__((always_inline)) {
-        return component_of(block, Attribute::velocity_x, a)[i];
+  using Row = typename Stencil::Row;
+  scatter_products<Stencil, L>(
+      block, sum_momentum, [&](int a, int i, Row m, const Row* slopes, Row sum) __attribute__((always_inline)) {
+        return Velocity::add_momentum(block, a, i, m, slopes, sum);
       });
 }
 
 /// Loads on the particles' mass.
 template <class Stencil, Layout L>
 inline void scatter_loads(Block& block) {
-  scatter_vector<Stencil, L>(
-      block, sum_load, [&](int a, int i) __attribute__((always_inline)) { return scratch_of(block).load[a][i]; });
+  scatter_vector<Stencil, L>(block, sum_load, scratch_of(block).load);
 }
 
 /// Axisymmetric: the hoop stress pulls towards the axis, with volume times stress over radius per radian

@@ -16,16 +16,18 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// Levers are products like the shape functions, so that they need those to be.
 template <class Shape, Layout L, class Stencil>
 constexpr AffineKernels affine_kernels() {
-  if constexpr (std::is_same_v<Stencil, ProductStencil<Shape::nodes, L>>) {
-    using Affine = ProductStencil<Shape::nodes, L, LeverSlopes>;
-    return {&find_levers<Shape, L.dimensions>, &begin_affine<L.dimensions>, &scatter_affine<Affine, L>,
-            &gather_affine<Affine, L>, &kick_affine<Affine, L>};
+  if constexpr (std::is_same_v<Stencil, ProductStencil<Shape::nodes, L, ShapeSlopes>>) {
+    using Levers = ProductStencil<Shape::nodes, L, LeverSlopes>;
+    using Both = ProductStencil<Shape::nodes, L, ShapeSlopes, LeverSlopes>;
+    return {&find_levers<Shape, L.dimensions>,   &begin_affine<L.dimensions>, &scatter_affine_state<Both, L>,
+            &scatter_affine_momentum<Levers, L>, &gather_affine<Levers, L>,   &kick_affine<Levers, L>};
   } else {
     return {};
   }
 }
 
-template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L>, Stage Locate = &locate<Shape, L>>
+template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L, ShapeSlopes>,
+          Stage Locate = &locate<Shape, L>>
 inline constexpr TransferKernels transfer_kernels{L,
                                                   1,
                                                   0,

@@ -12,9 +12,9 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 typedef Real Pair __attribute__((vector_size(2 * sizeof(Real))));
 typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
-/// As many particles as are handled at once: runs with the same nodes are seldom longer than eight.
+/// As many particles as are handled at once.
 #ifdef __AVX512F__
-using Lanes = Eight;
+typedef Real Lanes __attribute__((vector_size(64)));
 #else
 typedef Real Lanes __attribute__((vector_size(32)));
 #endif

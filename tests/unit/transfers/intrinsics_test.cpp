@@ -36,6 +36,19 @@ TEST(Spread, HasTheNumberInEveryLaneWithItsSign) {
   EXPECT_EQ(spread<Four>(Real{3.5})[3], Real{3.5});
 }
 
+template <class Vector>
+class LanesFromOne : public testing::Test {};
+TYPED_TEST_SUITE(LanesFromOne, Vectors);
+
+TYPED_TEST(LanesFromOne, GetTheNumberAndNoOthers) {
+  const int lanes = sizeof(TypeParam) / sizeof(Real);
+  const Real number = 7;
+  for (int first = 0; first <= lanes; ++first) {
+    const TypeParam some = LanesFrom<TypeParam>(first).put(&number, spread<TypeParam>(Real{3}));
+    for (int i = 0; i < lanes; ++i) EXPECT_EQ(some[i], i < first ? Real{3} : number) << first << ' ' << i;
+  }
+}
+
 TEST(FindChanges, FindsTheFirstOfEveryRunOfEqualValuesWhateverTheirNumber) {
   for (int count = 1; count < 40; ++count)
     for (int period = 1; period < 12; ++period) {

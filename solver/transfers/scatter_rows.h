@@ -1,0 +1,45 @@
+#pragma once
+
+#include "solver/transfers/runs.h"
+#include "solver/transfers/stencil.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Adds what particles give to their nodes. give(i) is a function that adds what particle i gives to a row of
+/// nodes, of (weights, slopes[D], sums of the row). The sums of a run stay in registers until the nodes change;
+/// then add(which, index of the row's first node, sum) is called for each.
+template <class Stencil, int Sums, class Give, class Add>
+__attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& give, Add&& add_sum) {
+  using Row = typename Stencil::Row;
+  const RealScratch& s = scratch_of(block);
+  for_each_run(
+      block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
+        Row of_run[Stencil::rows][Sums] = {};
+        for (int i = begin; i < end; ++i) {
+          const auto give_row = give(i);
+          int row = 0;
+          Stencil(s, i).for_each_row([&](int, Row w, const Row* slopes)
+                                         __attribute__((always_inline)) { give_row(w, slopes, of_run[row++]); });
+        }
+        int row = 0;
+        Stencil(s, begin).for_each_row([&](int at, Row, const Row*) __attribute__((always_inline)) {
+#pragma GCC unroll 7
+          for (int sum = 0; sum < Sums; ++sum) add_sum(sum, node + at, of_run[row][sum]);
+          ++row;
+        });
+      });
+}
+
+/// The same with one sum for each of so many quantities from `first` on.
+template <class Stencil, Layout L, int Quantities, class Give>
+__attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give) {
+  double* sums = block.sums + first * L.window_nodes;
+  scatter_rows<Stencil, Quantities>(
+      block, give, [=](int q, std::int64_t at, auto row) __attribute__((always_inline)) {
+        Stencil::add_row(sums + q * L.window_nodes + at, row);
+      });
+}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan
