@@ -156,7 +156,7 @@ Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     std::vector<Stage>& stages = sweep->stages.emplace_back();
     // Not twice in one place: by TLMPM in a plane 4.5 -> 3.4 ns per particle and step. What the transfer finds
-    // there besides only before its own passes: by APIC in a plane 2 ns less.
+    // there besides only before its own passes: by a profile of APIC in a plane 2 ns less.
     bool located = false, found = false;
     for (Pass pass : passes) {
       if (pass == Pass::locate && located) continue;

@@ -54,7 +54,7 @@ inline void weigh_affine(Block& block) {
 }
 
 /// Momentum of velocities that vary goes with that of the particles' own, where weights and sums are at hand: in a
-/// plane by quadratic B-splines 4 ns less per particle and step than by itself.
+/// plane by quadratic B-splines, by profiles, 4 ns less per particle and step than by itself.
 template <class Stencil, Layout L>
 inline void scatter_affine_state(Block& block) {
   weigh_affine<L.dimensions>(block);
