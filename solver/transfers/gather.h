@@ -88,7 +88,7 @@ __attribute__((always_inline)) inline auto keep_in(RealArray* out) {
 /// For Gathered: keeps its gradient.
 template <int D>
 __attribute__((always_inline)) inline auto keep_gradient(const Block& block) {
-  return [ gradient = block.scratch->gradient, per_cell = Real(block.sweep->inverse_cell) ](
+  return [ gradient = scratch_of(block).gradient_of_grid(), per_cell = Real(block.sweep->inverse_cell) ](
       int i, int a, const auto& sums) __attribute__((always_inline)) {
     for (int b = 0; b < D; ++b) store(gradient[a * D + b].values + i, per_cell * sums[1 + b]);
   };
