@@ -167,8 +167,8 @@ std::int64_t result_bytes(const Model& model) {
   const double snapshots = outputs.samples_per_snapshot == 0
                                ? 0
                                : static_cast<double>(outputs.samples / outputs.samples_per_snapshot + 1);
-  // Numbers, bodies, and the vertices' connectivity and offsets.
-  constexpr double once = 4 * sizeof(std::int64_t);
+  // Numbers, bodies, and the vertices' connectivity and offsets, of snapshots if there are any.
+  const double once = snapshots > 0 ? 4 * sizeof(std::int64_t) : 0;
   const double bytes = sizeof(double) * static_cast<double>(outputs.samples + 1) * columns +
                        snapshots * snapshot_bytes(model) + once * static_cast<double>(model.particle_count());
   return static_cast<std::int64_t>(bytes);

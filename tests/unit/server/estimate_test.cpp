@@ -100,6 +100,14 @@ TEST(Estimate, IsCountedWorkTimesRates) {
   EXPECT_NEAR(estimate.core_seconds().value(), 1140 * 640 * 1e-6, 1e-12);
 }
 
+TEST(Estimate, HasAFileOfHistoriesAloneWhereThereAreNoSnapshots) {
+  v1::Scene coarse = bar();
+  coarse.mutable_outputs()->set_snapshots(0);
+  v1::Scene fine = coarse;
+  fine.mutable_domain()->set_cell_size(coarse.domain().cell_size() / 2);
+  EXPECT_EQ(estimate_of(coarse, {}).result_bytes().value(), estimate_of(fine, {}).result_bytes().value());
+}
+
 TEST(Estimate, WithoutCalibrationSaysWhatIsMissing) {
   const v1::Estimate estimate = estimate_of(bar(), {});
   EXPECT_FALSE(estimate.has_wall_seconds());
