@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -55,6 +56,7 @@ class TileOfParticles {
       block.highest[axis] = at_faces ? layout.side : layout.side + 1;
     }
     fill();
+    forget_results();
     scratch.cell[0] = 0;
     scratch.prepare(static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.window_size()),
                     static_cast<std::size_t>(kernels.stencil_size), 0);
@@ -111,6 +113,14 @@ class TileOfParticles {
   std::vector<std::vector<float>> floats;
 
  private:
+  /// What a stage does not write is no number, whatever a tile before this one left in the same memory.
+  void forget_results() {
+    const auto forget = [](BlockArray<Number>& result) {
+      std::fill_n(result.data(), count, std::numeric_limits<Number>::quiet_NaN());
+    };
+    for (int ab = 0; ab < 9; ++ab) forget(scratch.gradient_of_grid()[ab]);
+    for (int a = 0; a < 3; ++a) forget(scratch.acceleration[a]), forget(scratch.velocity[a]);
+  }
   void fill() {
     arrays.assign(attribute_count, std::vector<double>(count, 0.0));
     for (int a = 0; a < attribute_count; ++a)
@@ -168,7 +178,7 @@ void gather_linear_fields(TileOfParticles<Number> tile) {
       EXPECT_NEAR(tile.scratch.velocity[a][i], tile.field(quantity(node_velocity, a, tile.axes), at),
                   rounding<Number>);
       for (int b = 0; b < tile.axes; ++b)
-        EXPECT_NEAR(tile.scratch.gradient[a * tile.axes + b][i],
+        EXPECT_NEAR(tile.scratch.gradient_of_grid()[a * tile.axes + b][i],
                     tile.slope(quantity(node_mapped_velocity, a, tile.axes), b), rounding<Number> / cell)
             << "particle " << i << ", component " << a << ", derivative " << b;
     }
