@@ -1,8 +1,10 @@
-// Takes steps of scenes. Callgrind counts the instructions of `counted_steps` and writes a count whenever that
-// ends; what was counted is printed here, in the same order, a line each (count.py).
+// Takes steps, or iterations, of scenes. Callgrind counts the instructions of `counted_steps` and writes a count
+// whenever that ends; what was counted is printed here, in the same order, a line each (count.py).
 #include <cstdio>
 
 #include "solver/analyses/background_recorder.h"
+#include "solver/implicit/dynamic_steps.h"
+#include "solver/implicit/quasi_static_steps.h"
 #include "solver/implicit/steppers.h"
 #include "solver/model/validate.h"
 #include "solver/schemes/law_response.h"
@@ -14,9 +16,18 @@ namespace trajan {
 
 /// In the place of the solver's own choice.
 const Kernels& kernels() { return x86_64_v3::compiled_kernels; }
-/// Nor are analyses that solve equations.
-std::unique_ptr<Stepper> make_stepper(const Model&, Executor&, const Checkpoint*) { return nullptr; }
-const LawResponseKernels* law_response(std::string_view, Dimension, bool) { return nullptr; }
+/// Of analyses that solve equations two, with one law.
+std::unique_ptr<Stepper> make_stepper(const Model& model, Executor& executor, const Checkpoint* resume) {
+  if (const auto* analysis = std::get_if<QuasiStatic>(&model.analysis))
+    return std::make_unique<QuasiStaticSteps>(model, *analysis, executor, resume);
+  if (const auto* analysis = std::get_if<ImplicitDynamics>(&model.analysis))
+    return std::make_unique<DynamicSteps>(model, *analysis, executor, resume);
+  return nullptr;
+}
+const LawResponseKernels* response_of_neo_hookean(Dimension, bool total_lagrangian);
+const LawResponseKernels* law_response(std::string_view, Dimension dimension, bool total_lagrangian) {
+  return response_of_neo_hookean(dimension, total_lagrangian);
+}
 
 namespace {
 
@@ -73,9 +84,14 @@ const bench::Case& discs_by_musl() { return bench::cases().front(); }
 
 void count_cases() {
   for (const bench::Case& one : bench::cases())
-    if (one.choice.kind == bench::Kind::explicit_steps && one.choice.shape_functions != "gimp" &&
-        one.choice.precision == "DOUBLE")
-      count(one.choice.name, one.make(one.choice, particles));
+    if (x86_64_v3::can_step(one.choice)) count(one.choice.name, one.make(one.choice, particles));
+}
+
+/// Newton's iterations, of some load or time steps.
+void count_implicit_cases() {
+  for (const bench::Case& one : bench::cases())
+    if (one.choice.kind == bench::Kind::implicit_static || one.choice.kind == bench::Kind::implicit_dynamic)
+      count(one.choice.name, one.make(one.choice, particles), 5);
 }
 
 /// The colliding discs with one thing that does not concern them, or only one particle.
@@ -132,6 +148,7 @@ void count_outputs() {
 
 int main() {
   trajan::count_cases();
+  trajan::count_implicit_cases();
   trajan::count_what_is_not_used();
   trajan::count_domains();
   trajan::count_outputs();

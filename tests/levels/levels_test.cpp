@@ -58,9 +58,7 @@ TEST_P(LevelsBits, AreTheSame) {
 std::vector<bench::Case> cases_of_few_kernels() {
   std::vector<bench::Case> few;
   for (const bench::Case& one : bench::cases())
-    if (one.choice.kind == bench::Kind::explicit_steps && one.choice.shape_functions != "gimp" &&
-        one.choice.precision == "DOUBLE")
-      few.push_back(one);
+    if (x86_64_v3::can_step(one.choice)) few.push_back(one);
   return few;
 }
 

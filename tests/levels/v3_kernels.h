@@ -1,15 +1,17 @@
 #pragma once
 
 #include "solver/schemes/kernels.h"
+#include "tests/bench/scenes.h"
 
-/// The kernels for x86-64-v3 that tests compile. To be included once in a program: it defines what they have not.
 namespace trajan {
 namespace x86_64_v3 {
+/// The kernels that tests/levels compiles.
 extern const Kernels compiled_kernels;
+
+/// Whether they can take such steps.
+inline bool can_step(const bench::Choice& choice) {
+  const bool known = choice.precision == "DOUBLE" || choice.shape_functions == "linear";
+  return choice.kind == bench::Kind::explicit_steps && known;
 }
-/// No cases with floats are compared or counted.
-namespace x86_64_v3_float {
-extern const GridKernels compiled_grid_kernels;
-const GridKernels compiled_grid_kernels{};
-}  // namespace x86_64_v3_float
+}  // namespace x86_64_v3
 }  // namespace trajan
