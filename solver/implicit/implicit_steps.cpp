@@ -43,7 +43,7 @@ ImplicitSteps::ImplicitSteps(const Model& model, Executor& executor, const Newto
       shortest_(std::min(least_share * model.end_time, std::ldexp(longest_, -newton.most_cuts))),
       total_lagrangian_(is_total_lagrangian(model.numerics.scheme)),
       responses_(model, executor),
-      solver_(newton.linear_solver),
+      solver_(newton.linear_solver, &executor.pool()),
       length_(longest_) {
   if (!resume) return;
   time_ = resume->time;

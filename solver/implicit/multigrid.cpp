@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace trajan {
@@ -10,12 +11,18 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 /// Unknowns of the coarsest grid at most, if coarser ones have fewer.
-constexpr Eigen::Index most_coarsest = 4000;
+constexpr Eigen::Index most_coarsest = 2000;
 /// Less is no coarsening.
 constexpr double least_coarsening = 0.7;
 /// Of the coarsest grid's diagonal. Its functions may depend on each other where bodies fill few nodes; what the
 /// matrix makes of their differences is then rounding, and interpolates to nothing.
 constexpr double shift = 1e-13;
+
+/// Threads meet after each half of a sweep: that should not cost more than the sweep.
+constexpr std::size_t least_slab = 64;
+/// Nodes of a piece, rows that are interpolated.
+constexpr std::size_t most_of_piece = 256;
+constexpr Eigen::Index rows_of_piece = 1024;
 
 int entries_of(const Matrix& matrix, int row) {
   return matrix.outerIndexPtr()[row + 1] - matrix.outerIndexPtr()[row];
@@ -42,10 +49,12 @@ bool Multigrid::build(const Matrix& matrix, const Places& places, const Eigen::V
     levels_.emplace_back();
     levels_[level].matrix.swap(next);
     if (!find_nodes(level, finer)) return false;
+    find_slabs(level);
     Coarsening coarsening = coarsen(finer);
     Interpolation& interpolation = levels_[level].interpolation;
     interpolation.swap(coarsening.interpolation);
     if (level == 0) interpolation = scale.cwiseInverse().asDiagonal() * interpolation;
+    levels_[level].restriction = interpolation.transpose();
     next = galerkin(this->matrix(level), interpolation);
     const auto rows = static_cast<double>(finer.size()), coarse = static_cast<double>(coarsening.places.size());
     finer = std::move(coarsening.places);
@@ -57,12 +66,12 @@ bool Multigrid::build(const Matrix& matrix, const Places& places, const Eigen::V
 bool Multigrid::find_nodes(std::size_t level, const Places& places) {
   const Matrix& of = matrix(level);
   std::vector<Node>& nodes = levels_[level].nodes;
-  std::size_t longest = gathered_.size();
+  std::size_t longest = gathered_[0].size();
   for (int first = 0, rows; first < of.rows(); first += rows) {
     const auto at = static_cast<std::size_t>(first);
     for (rows = 1; at + static_cast<std::size_t>(rows) < places.size(); ++rows)
       if (places[at + static_cast<std::size_t>(rows)].node != places[at].node) break;
-    Node node{first, rows, have_same_columns(of, first, rows), 0, {}};
+    Node node{first, rows, have_same_columns(of, first, rows), 0, 0, 0, {}};
     const int* columns = of.innerIndexPtr() + of.outerIndexPtr()[first];
     const int count = entries_of(of, first);
     node.below = static_cast<int>(std::lower_bound(columns, columns + count, first) - columns);
@@ -78,8 +87,44 @@ bool Multigrid::find_nodes(std::size_t level, const Places& places) {
         node.inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = inverse(i, j);
     nodes.push_back(node);
   }
-  gathered_.resize(longest);
+  for (std::vector<double>& gathered : gathered_) gathered.resize(longest);
   return true;
+}
+
+/// A slab ends where neither the nodes after it have entries in the slabs before it, nor the other way round.
+void Multigrid::find_slabs(std::size_t number) {
+  Level& level = levels_[number];
+  const Matrix& of = matrix(number);
+  std::vector<Node>& nodes = level.nodes;
+  // The lowest column of the nodes from here on, and the highest of those before.
+  std::vector<int> lowest(nodes.size() + 1, static_cast<int>(of.rows())), highest(nodes.size() + 1, -1);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    highest[n + 1] = highest[n];
+    for (int row = nodes[n].first; row < nodes[n].first + nodes[n].rows; ++row) {
+      lowest[n] = std::min(lowest[n], of.innerIndexPtr()[of.outerIndexPtr()[row]]);
+      highest[n + 1] = std::max(highest[n + 1], of.innerIndexPtr()[of.outerIndexPtr()[row + 1] - 1]);
+    }
+  }
+  for (std::size_t n = nodes.size(); n-- > 0;) lowest[n] = std::min(lowest[n], lowest[n + 1]);
+  const auto column = [&](std::size_t n) {
+    return n < nodes.size() ? nodes[n].first : static_cast<int>(of.rows());
+  };
+  for (std::size_t begin = 0, end; begin < nodes.size(); begin = end) {
+    for (end = std::min(begin + least_slab, nodes.size()); end < nodes.size(); ++end)
+      if (lowest[end] >= std::max(column(begin), 1) && highest[begin] < column(end)) break;
+    for (std::size_t n = begin; n < end; n += most_of_piece)
+      level.pieces.push_back({level.slabs.size(), n, std::min(n + most_of_piece, end)});
+    level.slabs.push_back({begin, end, column(begin), column(end), level.slabs.size() % 2 == 1});
+    for (std::size_t n = begin; n < end; ++n) {
+      const int* columns = of.innerIndexPtr() + of.outerIndexPtr()[nodes[n].first];
+      const auto before = [&](int border) {
+        return static_cast<int>(std::lower_bound(columns, columns + entries_of(of, nodes[n].first), border) -
+                                columns);
+      };
+      nodes[n].before_slab = before(column(begin));
+      nodes[n].to_slab_end = before(column(end));
+    }
+  }
 }
 
 bool Multigrid::factorize_coarsest(Matrix matrix) {
@@ -94,28 +139,62 @@ bool Multigrid::factorize_coarsest(Matrix matrix) {
   return true;
 }
 
+template <class Of>
+void Multigrid::share(std::size_t count, Of&& of) {
+  std::atomic<std::size_t> next = 0;
+  pool_.run([&](int thread) {
+    double* gathered = gathered_[static_cast<std::size_t>(thread)].data();
+    for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) of(i, gathered);
+  });
+}
+
+template <class To>
+void Multigrid::interpolate(const Interpolation& by, const Eigen::VectorXd& x, To&& to) {
+  share(static_cast<std::size_t>((by.rows() + rows_of_piece - 1) / rows_of_piece), [&](std::size_t i, double*) {
+    const Eigen::Index begin = static_cast<Eigen::Index>(i) * rows_of_piece;
+    for (Eigen::Index row = begin; row < std::min(begin + rows_of_piece, by.rows()); ++row) {
+      double sum = 0;
+      for (Interpolation::InnerIterator entry(by, row); entry; ++entry) sum += entry.value() * x[entry.index()];
+      to(row, sum);
+    }
+  });
+}
+
 template <Multigrid::Part part>
-Multigrid::Rows Multigrid::product(const Matrix& matrix, const Node& node, const Eigen::VectorXd& x) {
+Multigrid::Rows Multigrid::product(const Matrix& matrix, const Node& node, const Slab& slab,
+                                   const Eigen::VectorXd& x, double* gathered) {
   using Values = Eigen::Map<const Eigen::VectorXd>;
-  const int* columns = matrix.innerIndexPtr();
   Rows result{};
+  const int after = node.below + node.rows;
   if (node.alike) {
     const int begin = matrix.outerIndexPtr()[node.first], count = entries_of(matrix, node.first);
-    const int from = part == Part::after_node ? node.below + node.rows : 0;
-    const int size = (part == Part::before_node ? node.below : count) - from;
-    for (int k = 0; k < size; ++k) gathered_[static_cast<std::size_t>(k)] = x[columns[begin + from + k]];
-    const Values gathered(gathered_.data(), size);
-    for (int i = 0; i < node.rows; ++i)
-      result[static_cast<std::size_t>(i)] =
-          Values(matrix.valuePtr() + begin + i * count + from, size).dot(gathered);
+    const int* columns = matrix.innerIndexPtr() + begin;
+    const auto add = [&](int from, int to) {
+      for (int k = from; k < to; ++k) gathered[k - from] = x[columns[k]];
+      for (int i = 0; i < node.rows; ++i)
+        result[static_cast<std::size_t>(i)] +=
+            Values(matrix.valuePtr() + begin + i * count + from, to - from).dot(Values(gathered, to - from));
+    };
+    if (part == Part::whole) {
+      add(0, count);
+    } else if (part == Part::before_node) {
+      add(slab.odd ? 0 : node.before_slab, node.below);
+      if (slab.odd && node.to_slab_end < count) add(node.to_slab_end, count);
+    } else {
+      add(after, slab.odd ? node.to_slab_end : count);
+      if (!slab.odd && node.before_slab > 0) add(0, node.before_slab);
+    }
     return result;
   }
+  const auto counts = [&](Eigen::Index column) {
+    if (part == Part::whole) return true;
+    if (column >= node.first && column < node.first + node.rows) return false;
+    const bool within = column >= slab.first && column < slab.last;
+    return (part == Part::before_node) == (within ? column < node.first : slab.odd);
+  };
   for (int i = 0; i < node.rows; ++i)
-    for (Matrix::InnerIterator entry(matrix, node.first + i); entry; ++entry) {
-      const bool counts = part == Part::whole || (part == Part::before_node && entry.index() < node.first) ||
-                          (part == Part::after_node && entry.index() >= node.first + node.rows);
-      if (counts) result[static_cast<std::size_t>(i)] += entry.value() * x[entry.index()];
-    }
+    for (Matrix::InnerIterator entry(matrix, node.first + i); entry; ++entry)
+      if (counts(entry.index())) result[static_cast<std::size_t>(i)] += entry.value() * x[entry.index()];
   return result;
 }
 
@@ -130,38 +209,68 @@ Multigrid::Rows Multigrid::solve(const Node& node, const Eigen::VectorXd& right,
 
 void Multigrid::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   y.resize(x.size());
-  for (const Node& node : levels_[0].nodes) {
-    const Rows rows = product<Part::whole>(*finest_, node, x);
-    std::copy_n(rows.begin(), node.rows, y.data() + node.first);
+  const Level& level = levels_[0];
+  share(level.pieces.size(), [&](std::size_t i, double* gathered) {
+    const Piece& piece = level.pieces[i];
+    for (std::size_t n = piece.begin; n < piece.end; ++n) {
+      const Node& node = level.nodes[n];
+      const Rows rows = product<Part::whole>(*finest_, node, level.slabs[piece.slab], x, gathered);
+      std::copy_n(rows.begin(), node.rows, y.data() + node.first);
+    }
+  });
+}
+
+void Multigrid::sweep_forwards(std::size_t number, const Slab& slab, const Eigen::VectorXd& r, Eigen::VectorXd& z,
+                               double* gathered) const {
+  for (std::size_t n = slab.begin; n < slab.end; ++n) {
+    const Node& node = levels_[number].nodes[n];
+    const Rows rows = solve(node, r, product<Part::before_node>(matrix(number), node, slab, z, gathered));
+    std::copy_n(rows.begin(), node.rows, z.data() + node.first);
+  }
+}
+
+void Multigrid::sweep_backwards(std::size_t number, const Slab& slab, const Eigen::VectorXd& r, Eigen::VectorXd& z,
+                                double* gathered) const {
+  for (std::size_t n = slab.end; n-- > slab.begin;) {
+    const Node& node = levels_[number].nodes[n];
+    const Rows rows = solve(node, r, product<Part::whole>(matrix(number), node, slab, z, gathered));
+    for (int i = 0; i < node.rows; ++i) z[node.first + i] += rows[static_cast<std::size_t>(i)];
   }
 }
 
 /// The sweep forwards begins with zero, and what is left of the residual after it are the products with entries
-/// after a node's.
+/// of nodes after a row's.
 void Multigrid::cycle(std::size_t number, const Eigen::VectorXd& r, Eigen::VectorXd& z) {
   if (number == levels_.size()) {
     z = coarsest_scale_.cwiseProduct(coarsest_.solve(coarsest_scale_.cwiseProduct(r)));
     return;
   }
   Level& level = levels_[number];
-  const Matrix& of = matrix(number);
   z.resize(r.size());
   level.rest.resize(r.size());
-  for (const Node& node : level.nodes) {
-    const Rows rows = solve(node, r, product<Part::before_node>(of, node, z));
-    std::copy_n(rows.begin(), node.rows, z.data() + node.first);
-  }
-  for (const Node& node : level.nodes) {
-    const Rows rows = product<Part::after_node>(of, node, z);
-    for (int i = 0; i < node.rows; ++i) level.rest[node.first + i] = -rows[static_cast<std::size_t>(i)];
-  }
-  level.right = level.interpolation.transpose() * level.rest;
+  const std::size_t slabs = level.slabs.size(), even = (slabs + 1) / 2;
+  const auto forwards = [&](std::size_t slab, double* gathered) {
+    sweep_forwards(number, level.slabs[slab], r, z, gathered);
+  };
+  const auto backwards = [&](std::size_t slab, double* gathered) {
+    sweep_backwards(number, level.slabs[slab], r, z, gathered);
+  };
+  share(even, [&](std::size_t i, double* gathered) { forwards(2 * i, gathered); });
+  share(slabs - even, [&](std::size_t i, double* gathered) { forwards(2 * i + 1, gathered); });
+  share(level.pieces.size(), [&](std::size_t i, double* gathered) {
+    const Piece& piece = level.pieces[i];
+    for (std::size_t n = piece.begin; n < piece.end; ++n) {
+      const Node& node = level.nodes[n];
+      const Rows rows = product<Part::after_node>(matrix(number), node, level.slabs[piece.slab], z, gathered);
+      for (int k = 0; k < node.rows; ++k) level.rest[node.first + k] = -rows[static_cast<std::size_t>(k)];
+    }
+  });
+  level.right.resize(level.restriction.rows());
+  interpolate(level.restriction, level.rest, [&](Eigen::Index row, double value) { level.right[row] = value; });
   cycle(number + 1, level.right, level.answer);
-  z += level.interpolation * level.answer;
-  for (auto node = level.nodes.rbegin(); node != level.nodes.rend(); ++node) {
-    const Rows rows = solve(*node, r, product<Part::whole>(of, *node, z));
-    for (int i = 0; i < node->rows; ++i) z[node->first + i] += rows[static_cast<std::size_t>(i)];
-  }
+  interpolate(level.interpolation, level.answer, [&](Eigen::Index row, double value) { z[row] += value; });
+  share(slabs - even, [&](std::size_t i, double* gathered) { backwards(2 * i + 1, gathered); });
+  share(even, [&](std::size_t i, double* gathered) { backwards(2 * i, gathered); });
 }
 
 }  // namespace trajan

@@ -112,6 +112,8 @@ double factor_work_of(const Places& places) {
 
 struct SparseSolver::Methods {
   enum class Used { none, cholesky, lu, multigrid, incomplete };
+  ThreadPool one_thread{1};
+  ThreadPool* pool = nullptr;
   Cholesky cholesky;
   Lu lu;
   std::unique_ptr<Multigrid> multigrid;
@@ -212,7 +214,7 @@ void SparseSolver::Methods::by_incomplete_factor() {
 }
 
 void SparseSolver::Methods::by_multigrid(const Places& places) {
-  multigrid = std::make_unique<Multigrid>();
+  multigrid = std::make_unique<Multigrid>(*pool);
   if (!multigrid->build(matrix, places, scale)) return;
   used = Used::multigrid;
   factors = {true, true, multigrid->reciprocal_condition()};
@@ -251,7 +253,9 @@ void SparseSolver::Methods::solve(const Eigen::VectorXd& right, double tolerance
   if (used == Used::none) x = direction.size() > 0 ? direction : right;
 }
 
-SparseSolver::SparseSolver(LinearSolver choice) : choice_(choice), methods_(std::make_unique<Methods>()) {
+SparseSolver::SparseSolver(LinearSolver choice, ThreadPool* pool)
+    : choice_(choice), methods_(std::make_unique<Methods>()) {
+  methods_->pool = pool ? pool : &methods_->one_thread;
   keep_blas_on_one_thread();
 }
 SparseSolver::~SparseSolver() = default;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "solver/executors/thread_pool.h"
 #include "solver/implicit/assembly.h"
 #include "solver/implicit/places.h"
 #include "solver/scene/analysis.h"
@@ -15,7 +16,8 @@ namespace trajan {
 /// ones first, so that condition numbers do not depend on units or on how much of a node's surroundings is filled.
 class SparseSolver {
  public:
-  explicit SparseSolver(LinearSolver choice);
+  /// Multigrid's cycles take the threads of the pool; none: one.
+  explicit SparseSolver(LinearSolver choice, ThreadPool* pool = nullptr);
   ~SparseSolver();
 
   struct Factors {
