@@ -1,6 +1,7 @@
 #include "solver/analyses/rehearsal.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/executor.h"
@@ -67,15 +68,24 @@ void plan_nodes(const Model& model, const Executor& executor, ModelPlan& plan) {
 }
 
 struct PlannedTiles {
-  std::size_t bytes;  ///< without what nodes hold
-  bool fields_meet;   ///< of bodies in contact
+  std::size_t bytes;     ///< without what nodes hold
+  bool fields_meet;      ///< of bodies in contact
+  std::int64_t windows;  ///< for one thread
 };
 
+/// Of so many tiles where those of two rows, or layers, need one at a time.
+std::int64_t windows_of_wave(double tiles, int axes) {
+  return static_cast<std::int64_t>(2 * std::pow(tiles, 1 - 1.0 / axes)) + 3;
+}
+
 /// Tiles at time 0; of too many particles about as many as their cells fill.
-PlannedTiles plan_tiles(const Model& model, const Tiles& tiles, ModelPlan& plan) {
+PlannedTiles plan_tiles(const Model& model, const Executor& executor, ModelPlan& plan) {
+  const Tiles& tiles = executor.tiles();
   if (plan.particles > most_counted) {
     plan.occupied_tiles = plan.tiles = plan.active_cells / tile_nodes + 1;
-    return {static_cast<std::size_t>(plan.tiles) * sizeof(Tile), model.contacts.fields > 1};
+    const auto count = static_cast<double>(plan.tiles);
+    return {static_cast<std::size_t>(plan.tiles) * sizeof(Tile), model.contacts.fields > 1,
+            executor.by_wave() ? windows_of_wave(count, tiles.layout().dimensions) : plan.tiles};
   }
   const std::vector<OccupiedTile> occupied = occupied_tiles(model, tiles);
   // Tiles whose nodes hold nothing cost no memory here, however large the model is.
@@ -83,16 +93,21 @@ PlannedTiles plan_tiles(const Model& model, const Tiles& tiles, ModelPlan& plan)
   bare.rebuild(occupied, {}, std::vector<std::uint32_t>(occupied.size(), 0));
   plan.tiles = static_cast<std::int64_t>(bare.tiles().size());
   plan.occupied_tiles = static_cast<std::int64_t>(occupied.size());
-  return {bare.memory(), std::ranges::adjacent_find(bare.tiles(), {}, &Tile::at) != bare.tiles().end()};
+  const bool meet = std::ranges::adjacent_find(bare.tiles(), {}, &Tile::at) != bare.tiles().end();
+  if (!executor.by_wave()) return {bare.memory(), meet, plan.occupied_tiles};
+  ThreadPool alone(1);
+  TileLoop loop(alone);
+  loop.bind(bare);
+  return {bare.memory(), meet, loop.windows(bare).count};
 }
 
 void plan_grid(const Model& model, const Executor& executor, ModelPlan& plan) {
   const Tiles& tiles = executor.tiles();
-  const PlannedTiles planned = plan_tiles(model, tiles, plan);
+  const PlannedTiles planned = plan_tiles(model, executor, plan);
   const std::int64_t nodes = executor.node_quantities() * tile_nodes;
   const std::int64_t window = tiles.sum_quantities() * tiles.layout().window_nodes;
   const std::int64_t collected = executor.in_one_pass() && !planned.fields_meet ? 1 : plan.tiles;
-  const std::int64_t doubles = plan.tiles * nodes + plan.occupied_tiles * window + std::max(nodes, window);
+  const std::int64_t doubles = plan.tiles * nodes + planned.windows * window + std::max(nodes, window);
   plan.grid_bytes = static_cast<std::int64_t>(executor.memory() + planned.bytes + sizeof(double) * doubles +
                                               sizeof(NodeSums) * collected);
 }

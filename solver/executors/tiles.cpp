@@ -80,8 +80,15 @@ void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRan
   }
 
   nodes_.assign(tiles_.size() * node_size(), 0.0);
-  sums_.assign(windows_ * window_size(), 0.0);
   nothing_.assign(std::max(node_size(), window_size()), 0.0);
+}
+
+void Tiles::make_windows() { sums_.assign(windows_ * window_size(), 0.0); }
+
+void Tiles::make_windows(const WindowsOfTiles& windows) {
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) tiles_[tile].window = windows.of_tile[tile];
+  windows_ = static_cast<std::size_t>(windows.count);
+  make_windows();
 }
 
 Neighbours Tiles::nodes_around(const Tile& tile) const {

@@ -36,6 +36,12 @@ struct Tile {
   std::uint32_t first_block = 0, last_block = 0;  ///< half-open
 };
 
+/// Which window each tile has, -1: none; and how many there are.
+struct WindowsOfTiles {
+  std::vector<std::int32_t> of_tile;
+  std::int32_t count = 0;
+};
+
 /// Row by row, plane by plane.
 bool before(const TileIndex& a, const TileIndex& b);
 
@@ -50,9 +56,13 @@ class Tiles {
       : layout_(layout), node_quantities_(node_quantities), sum_quantities_(sum_quantities), period_(period) {}
 
   /// `occupied` in order; `blocks` in the order of their tiles, `blocks_of[i]` the number of those of
-  /// occupied tile i. Node values and sums are not kept.
+  /// occupied tile i. Node values are not kept, and there are no sums until windows are made.
   void rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRange> blocks,
                std::span<const std::uint32_t> blocks_of);
+  /// A window for every tile that has particles, or nodes with images in such windows.
+  void make_windows();
+  /// Those of these tiles, which may share them if none is needed while another has it. Not of a periodic grid.
+  void make_windows(const WindowsOfTiles& windows);
 
   const Layout& layout() const { return layout_; }
   /// Cells after which the grid repeats itself along an axis; 0: it does not.
@@ -122,10 +132,10 @@ class Tiles {
   std::vector<Tile> tiles_;
   std::vector<BlockRange> blocks_;
   AlignedDoubles nodes_, sums_;
-  AlignedDoubles nothing_;   ///< values of a tile that does not exist
-  std::size_t windows_ = 0;  ///< of tiles that have particles, or nodes with images in such windows
-  NodeImages folded_;        ///< places in sums_, by the nodes' tiles
-  NodeImages copied_;        ///< places in nodes_, by the images' tiles
+  AlignedDoubles nothing_;  ///< values of a tile that does not exist
+  std::size_t windows_ = 0;
+  NodeImages folded_;  ///< places in sums_, by the nodes' tiles
+  NodeImages copied_;  ///< places in nodes_, by the images' tiles
 };
 
 }  // namespace trajan

@@ -12,6 +12,8 @@ class Loads {
   explicit Loads(const Model& model);
   bool none() const { return model_.surface_loads.empty() && model_.body_loads.empty(); }
 
+  /// Whether nodes get any from elsewhere than particles.
+  bool on_surfaces() const { return !model_.surface_loads.empty(); }
   /// Whether loads depend on where particles are.
   bool follow_particles() const { return fields_.follow_particles(); }
 

@@ -73,6 +73,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
       transfer_kind_(*find_transfer(model.numerics.transfer)),
       transfer_(choose(transfer_kind_, *kernels_.transfer(model.numerics.shape_functions, model.dimension))),
       pool_(threads),
+      loop_(pool_),
       bodies_(make_bodies(model)),
       conditions_(model),
       contacts_(model, threads),
@@ -81,7 +82,6 @@ Executor::Executor(const Model& model, int threads, Filling filling)
              period_of(model.grid)),
       sweeps_(model, transfer_kind_, transfer_,
               loads_.are_everywhere() ? tiles_.sum_quantities() : quantities(sum_load, axes_)),
-      shares_(static_cast<std::size_t>(threads) + 1, 0),
       account_(model) {
   if (!rehearsal_) add_particles(model, bodies_);
   sweep_.cell = model.grid.cell;
@@ -102,6 +102,8 @@ Executor::Executor(const Model& model, int threads, Filling filling)
     gaps_ = std::make_unique<SurfaceGaps>(model, tiles_, bodies_, sweep_);
     conditions_.measure_gaps_by(*gaps_);
   }
+  by_wave_ = !conditions_.on_surfaces() && model.contacts.fields < 2 && !gaps_ && !loads_.on_surfaces() &&
+             !tiles_.period().any();
   accounts_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
               !model.outputs.reactions.empty();
   for (int thread = 0; thread < threads; ++thread) scratch_.push_back(make_scratch(model, transfer_, bodies_));
@@ -130,8 +132,13 @@ void Executor::bind() {
   // What acts between two passes over the tiles needs what the first found in the second.
   const std::size_t tiles = tiles_.tiles().size();
   collected_.resize(in_one_pass() ? scratch_.size() : tiles);
-  shares_ = tiles_.shares(pool_.size());
+  loop_.bind(tiles_);
+  if (by_wave_)
+    tiles_.make_windows(loop_.windows(tiles_));
+  else
+    tiles_.make_windows();
   account_.bind(tiles);
+  unborne_forces_ = false;
 }
 
 void Executor::particles(std::initializer_list<Pass> passes) {
@@ -146,28 +153,52 @@ void Executor::particles(std::initializer_list<Pass> passes) {
   }
 }
 
-void Executor::finish() {
-  if (noted_.empty()) return;
+void Executor::finish() { finish({}); }
+
+void Executor::finish(const NodeWork& work) {
+  if (noted_.empty()) {
+    if (work) loop_.for_each(work);
+    return;
+  }
   // Whatever happens, these are done with: the sweep has its own copy of them.
   const std::span<const Pass> passes = sweeps_.of(noted_, bodies_).passes;
   noted_.clear();
-  run(passes);
+  run(passes, work);
 }
 
-void Executor::run(std::span<const Pass> passes) {
+void Executor::run(std::span<const Pass> passes, const NodeWork& work) {
   const auto last = std::find(passes.rbegin(), passes.rend(), Pass::locate);
   const auto before_last = static_cast<std::size_t>(std::max<std::ptrdiff_t>(passes.rend() - last - 1, 0));
   if (before_last > 0 && order_.is_worn()) {
     // Nothing that comes after particles are located anew gathers from the grid as it is.
     run(passes.first(before_last));
     sort();
-    run(passes.subspan(before_last));
+    run(passes.subspan(before_last), work);
     return;
   }
   Sweep& sweep = sweeps_.of(passes, bodies_);
   ++sweep.runs;
+  const Trouble trouble = sweep_tiles(sweep, work);
+  check(trouble);
+  if (trouble.left_window == 0) {
+    if (trouble.runs > 0) order_.count(trouble.runs);
+    return;
+  }
+  // What has been scattered from clamped places is worthless, and so is what nodes have made of it; the particles
+  // themselves are right.
+  sort();
+  run(passes.subspan(before_last), work);
+}
+
+Trouble Executor::sweep_tiles(const Sweep& sweep, const NodeWork& work) {
   for (auto& scratch : scratch_) scratch->trouble = {};
-  for_each_tile([&](std::size_t tile, std::size_t thread) { run_tile(tile, sweep, *scratch_[thread]); });
+  const auto of_particles = [&](std::size_t tile, std::size_t thread) {
+    run_tile(tile, sweep, *scratch_[thread]);
+  };
+  if (work)
+    loop_.by_wave(of_particles, work);
+  else
+    loop_.for_each(of_particles);
   Trouble trouble;
   for (const auto& scratch : scratch_) {
     trouble.runs += scratch->trouble.runs;
@@ -177,14 +208,7 @@ void Executor::run(std::span<const Pass> passes) {
     trouble.inverted += scratch->trouble.inverted;
     trouble.unsolved += scratch->trouble.unsolved;
   }
-  check(trouble);
-  if (trouble.left_window == 0) {
-    if (trouble.runs > 0) order_.count(trouble.runs);
-    return;
-  }
-  // What has been scattered from clamped places is worthless; the particles themselves are right.
-  sort();
-  run(passes.subspan(before_last));
+  return trouble;
 }
 
 void Executor::run_tile(std::size_t index, const Sweep& sweep, Scratch& scratch) {
@@ -230,16 +254,6 @@ void Executor::or_diverge(Of&& of) {
   }
 }
 
-void Executor::prepare(const StepTimes& times) {
-  times_ = times;
-  or_diverge([&] { loads_.prepare(bodies_, times.time); });
-  finish();
-  or_diverge([&] { conditions_.prepare({times.time, times.before, times.after, times.drift}); });
-  sweep_.kick = times.kick();
-  sweep_.step = times.step;
-  sweep_.drift = times.drift;
-}
-
 NodeBlock Executor::node_block(std::size_t tile, std::size_t thread) {
   // Made in place: what is copied as soon as it is written waits until all that was written before is in the
   // cache, as velocities of the last tile. By a profile 0.9 ns per particle and step in a plane.
@@ -269,14 +283,21 @@ void Executor::complete(NodeBlock& block, std::size_t tile, double light_node) {
 }
 
 void Executor::update_velocities(const StepTimes& times, double light_node) {
-  prepare(times);
+  times_ = times;
+  or_diverge([&] { loads_.prepare(bodies_, times.time); });
+  or_diverge([&] { conditions_.prepare({times.time, times.before, times.after, times.drift}); });
   // Forces spread from where loads act; to look now and then finds them before half of the run is over.
   looks_for_unborne_forces_ =
       std::has_single_bit(static_cast<std::uint64_t>(times.step)) && has_kinks_at_rest(model_);
-  if (!rehearsal_) {
-    kick_nodes(light_node);
-    copy_to_images();
+  if (by_wave_ && !rehearsal_) {
+    finish([&](std::size_t tile, std::size_t thread) { kick_tile(tile, thread, light_node); });
+  } else {
+    finish();
+    if (!rehearsal_) kick_nodes(light_node);
   }
+  sweep_.kick = times.kick();
+  sweep_.step = times.step;
+  sweep_.drift = times.drift;
   if (unborne_forces_)
     diverge(
         "particles at a body's surface lie exactly on faces of cells: nodes beyond them have a share of their "
@@ -288,25 +309,31 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   if (accounts_ || account_.watched()) account_.add_up();
 }
 
+void Executor::kick_tile(std::size_t tile, std::size_t thread, double light_node) {
+  NodeBlock block = node_block(tile, thread);
+  if (!loads_.reach(tile)) block.sum_quantities = quantities(sum_load, axes_);
+  transfer_.update_velocities(block);
+  account_.forget_tile(tile);
+  conditions_.act(tile, account_.of_tile(tile));
+  if (in_one_pass()) complete(block, tile, light_node);
+}
+
 void Executor::kick_nodes(double light_node) {
   loads_.add_to(tiles_, bodies_);
   fold_images();
-  const bool complete_at_once = in_one_pass();
-  for_each_tile([&](std::size_t tile, std::size_t thread) {
-    NodeBlock block = node_block(tile, thread);
-    if (!loads_.reach(tile)) block.sum_quantities = quantities(sum_load, axes_);
-    transfer_.update_velocities(block);
-    account_.forget_tile(tile);
-    conditions_.act(tile, account_.of_tile(tile));
-    if (complete_at_once) complete(block, tile, light_node);
-  });
-  if (complete_at_once) return;
+  loop_.for_each([&](std::size_t tile, std::size_t thread) { kick_tile(tile, thread, light_node); });
+  if (!in_one_pass()) act_between_tiles(light_node);
+  copy_to_images();
+}
+
+/// What needs all tiles' velocities.
+void Executor::act_between_tiles(double light_node) {
   contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
   account_.add_contact(contacts_.act(pool_, tiles_, conditions_.held(), times_.kick()));
   for (std::size_t i = 0; i < model_.outputs.contact_forces.size(); ++i)
     account_.add_contact(i, contacts_.impulse_on(model_.outputs.contact_forces[i], tiles_));
   conditions_.act_on_surfaces(bodies_, tiles_, account_.of_tile(0));
-  for_each_tile([&](std::size_t tile, std::size_t thread) {
+  loop_.for_each([&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     complete(block, tile, light_node);
   });
@@ -316,15 +343,17 @@ void Executor::kick_nodes(double light_node) {
 }
 
 void Executor::map_velocities(bool with_mass) {
-  finish();
-  if (rehearsal_) return;
-  fold_images();
-  for_each_tile([&](std::size_t tile, std::size_t thread) {
+  const auto map_tile = [&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     block.collect_mass = with_mass;
     transfer_.map_velocities(block);
     conditions_.act_on_mapped(tile);
-  });
+  };
+  if (by_wave_ && !rehearsal_) return finish(map_tile);
+  finish();
+  if (rehearsal_) return;
+  fold_images();
+  loop_.for_each(map_tile);
   if (with_mass) contacts_.find(pool_, tiles_, bodies_, sweep_, least_mass_share * lightest_particle_);
   contacts_.act_on(pool_, tiles_, conditions_.held(), node_mapped_velocity);
   conditions_.act_on_mapped_surfaces(bodies_, tiles_, with_mass);
@@ -332,11 +361,11 @@ void Executor::map_velocities(bool with_mass) {
 }
 
 void Executor::fold_images() {
-  if (tiles_.period().any()) for_each_tile([&](std::size_t tile, std::size_t) { tiles_.fold_images(tile); });
+  if (tiles_.period().any()) loop_.for_each([&](std::size_t tile, std::size_t) { tiles_.fold_images(tile); });
 }
 
 void Executor::copy_to_images() {
-  if (tiles_.period().any()) for_each_tile([&](std::size_t tile, std::size_t) { tiles_.copy_to_images(tile); });
+  if (tiles_.period().any()) loop_.for_each([&](std::size_t tile, std::size_t) { tiles_.copy_to_images(tile); });
 }
 
 }  // namespace trajan

@@ -17,6 +17,7 @@
 #include "solver/simulation/particles.h"
 #include "solver/simulation/pass.h"
 #include "solver/simulation/sweeps.h"
+#include "solver/simulation/tile_loop.h"
 #include "solver/transfers/transfer.h"
 
 namespace trajan {
@@ -79,6 +80,8 @@ class Executor {
   const Sweeps& sweeps() const { return sweeps_; }
   /// Whether nothing is done to nodes after all tiles have their velocities.
   bool in_one_pass() const { return !conditions_.on_surfaces() && contacts_.places() == 0; }
+  /// Whether work on a tile's nodes needs nothing but the windows around.
+  bool by_wave() const { return by_wave_; }
   Account& account() { return account_; }
   const Account& account() const { return account_; }
   /// Multiplies the inertia of a body, by which waves become slower; its weight stays.
@@ -90,16 +93,20 @@ class Executor {
   [[noreturn]] void diverge(const std::string& cause, const std::string& remedy) const;
 
  private:
-  void run(std::span<const Pass> passes);
+  /// On nodes of (tile, thread), once all windows around have their sums.
+  using NodeWork = std::function<void(std::size_t, std::size_t)>;
+  /// Runs what has been noted, and then `work` on all tiles.
+  void finish(const NodeWork& work);
+  void run(std::span<const Pass> passes, const NodeWork& work = {});
+  Trouble sweep_tiles(const Sweep& sweep, const NodeWork& work);
   void run_tile(std::size_t tile, const Sweep& sweep, Scratch& scratch);
   Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
   /// Turns a formula that fails into divergence.
   template <class Of>
   void or_diverge(Of&& of);
-  /// Finishes, and evaluates all that depends on time.
-  void prepare(const StepTimes& times);
   NodeBlock node_block(std::size_t tile, std::size_t thread);
-  void kick_nodes(double light_node);
+  void kick_tile(std::size_t tile, std::size_t thread, double light_node);
+  void kick_nodes(double light_node), act_between_tiles(double light_node);
   void fold_images(), copy_to_images();  ///< of all tiles
   /// What follows once a tile's velocities are final.
   void complete(NodeBlock& block, std::size_t tile, double light_node);
@@ -107,14 +114,6 @@ class Executor {
   void project(const Projection& projection, double light_mass);
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
-  /// Calls of(tile, thread).
-  template <class Of>
-  void for_each_tile(Of&& of) {
-    pool_.run([&](int thread) {
-      const auto t = static_cast<std::size_t>(thread);
-      for (std::size_t tile = shares_[t]; tile < shares_[t + 1]; ++tile) of(tile, t);
-    });
-  }
 
   const Model& model_;
   bool rehearsal_;
@@ -124,6 +123,7 @@ class Executor {
   const Transfer& transfer_kind_;
   const TransferKernels& transfer_;
   ThreadPool pool_;
+  TileLoop loop_;
   std::vector<BodyParticles> bodies_;
   std::unique_ptr<BodyGaps> gaps_;  ///< where rigid surfaces need them
   Conditions conditions_;
@@ -136,11 +136,11 @@ class Executor {
   std::vector<Pass> noted_;                        ///< passes over particles that are still to be run
   std::vector<std::unique_ptr<Scratch>> scratch_;  ///< by thread
   std::vector<NodeSums> collected_;                ///< by thread or by tile
-  std::vector<std::size_t> shares_;
   std::vector<Totals> tile_totals_;
   Account account_;
-  bool accounts_ = false;  ///< for work and dissipation
+  bool by_wave_ = false;
   double lightest_particle_ = 0;
+  bool accounts_ = false;                  ///< for work and dissipation
   bool looks_for_unborne_forces_ = false;  ///< in this kick
   std::atomic<bool> unborne_forces_ = false;
   std::int64_t sortings_ = 0;

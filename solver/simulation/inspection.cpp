@@ -10,16 +10,13 @@ namespace trajan {
 Totals Executor::totals() {
   finish();
   tile_totals_.assign(tiles_.tiles().size(), {});
-  pool_.run([&](int thread) {
-    const auto t = static_cast<std::size_t>(thread);
-    for (std::size_t index = shares_[t]; index < shares_[t + 1]; ++index) {
-      const Tile& tile = tiles_.tiles()[index];
-      for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
-        Block block = make_block(tile, tiles_.blocks()[b], *scratch_[t]);
-        motion_.law_exchange.widen(block);
-        motion_.measure(block, tile_totals_[index]);
-        bodies_[tiles_.blocks()[b].body].law->measure(block, tile_totals_[index]);
-      }
+  loop_.for_each([&](std::size_t index, std::size_t thread) {
+    const Tile& tile = tiles_.tiles()[index];
+    for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
+      Block block = make_block(tile, tiles_.blocks()[b], *scratch_[thread]);
+      motion_.law_exchange.widen(block);
+      motion_.measure(block, tile_totals_[index]);
+      bodies_[tiles_.blocks()[b].body].law->measure(block, tile_totals_[index]);
     }
   });
   Totals all;
@@ -35,7 +32,7 @@ Totals Executor::totals() {
 }
 
 void Executor::visit(const std::function<void(Block&, std::size_t, std::size_t)>& of) {
-  for_each_tile([&](std::size_t index, std::size_t thread) {
+  loop_.for_each([&](std::size_t index, std::size_t thread) {
     const Tile& tile = tiles_.tiles()[index];
     for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
       Block block = make_block(tile, tiles_.blocks()[b], *scratch_[thread]);

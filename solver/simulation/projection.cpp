@@ -42,21 +42,26 @@ void add_remainder(const NodeVectors& vectors, NodeVector into, double least_mas
 
 void Executor::project(const Projection& projection, double light_mass) {
   if (projection.into.empty()) return;
-  for_each_tile([&](std::size_t index, std::size_t) {
+  loop_.for_each([&](std::size_t index, std::size_t) {
     start(projection, {tiles_.nodes(index), axes_}, sweep_.kick);
   });
   const int order = model_.numerics.transfer_order.value_or(default_transfer_order);
   for (int term = 1; term < order; ++term) {
     static constexpr Pass exchange[] = {Pass::locate, Pass::remap};
-    run(exchange);
-    fold_images();
-    for_each_tile([&](std::size_t index, std::size_t thread) {
+    const NodeWork reduce = [&](std::size_t index, std::size_t thread) {
       NodeBlock block = node_block(index, thread);
       transfer_.reduce_remainder(block);
       conditions_.hold(index, NodeVectors{block.nodes, axes_}(node_remainder));
       for (NodeVector into : projection.into)
         add_remainder({block.nodes, axes_}, into, into == node_mapped_velocity ? light_mass : 0);
-    });
+    };
+    if (by_wave_) {
+      run(exchange, reduce);
+      continue;
+    }
+    run(exchange);
+    fold_images();
+    loop_.for_each(reduce);
     copy_to_images();
   }
   // Further terms may make what touches come closer.
