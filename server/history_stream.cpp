@@ -47,6 +47,10 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
 
  private:
   Next next(v1::StreamHistoryResponse& response) final {
+    if (sent_ < block_.rows()) {
+      fill(response);
+      return Next::write;
+    }
     // In this order: rows that were written before the job ended are seen after it.
     const v1::Job now = store_.read([&](store::Database& database) { return store::get_job(database, job()); });
     const bool ended = store::has_ended(now.state());
@@ -77,15 +81,16 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
         selected_ = select_columns(reader.columns(), request_.columns());
         for (const std::size_t index : selected_) response.add_columns(reader.columns()[index]);
       }
-      read_rows(reader, response);
+      read_rows(reader);
+      fill(response);
       // Opened after the attempt began but before it repaired the file: open it again next time.
-      if (time_.empty() && row_ < now.progress().rows()) reader_->close();
+      if (block_.rows() == 0 && row_ < now.progress().rows()) reader_->close();
       return true;
     } catch (const ServiceError&) {
       throw;
     } catch (const std::runtime_error&) {
       reader_->close();
-      time_.clear();
+      block_ = {};
       sent_ = 0;
       if (ended && ++failures_ > 1) throw;
       if (ended) return read(response, now, ended);
@@ -93,23 +98,36 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
     }
   }
 
-  /// Reads many messages' worth of rows at once: asking each column's dataset for a few rows takes as long.
-  void read_rows(results::HistoryReader& reader, v1::StreamHistoryResponse& response) {
-    constexpr std::int64_t message_bytes = 256 * 1024, block_bytes = 8 * 1024 * 1024;
-    const auto width = std::ssize(selected_);
-    const auto row_bytes = (width + 1) * static_cast<std::int64_t>(sizeof(double));
-    if (sent_ == std::ssize(time_)) {
-      reader.read(row_, std::max<std::int64_t>(1, block_bytes / row_bytes), selected_, time_, values_);
-      sent_ = 0;
-    }
-    const std::int64_t rows =
-        std::min(std::max<std::int64_t>(1, message_bytes / row_bytes), std::ssize(time_) - sent_);
+  /// Reads what is left of the file's chunks, if that is not too much, for the file has each column by itself; and
+  /// a message's worth at least.
+  void read_rows(results::HistoryReader& reader) {
+    constexpr std::int64_t block_bytes = 16 << 20;
+    const std::int64_t chunk = reader.chunk_rows();
+    reader.read(row_, std::clamp(chunk - row_ % chunk, rows_of(message_bytes), rows_of(block_bytes)), selected_,
+                block_);
+    sent_ = 0;
+  }
+
+  /// The next rows of the block.
+  void fill(v1::StreamHistoryResponse& response) {
+    const auto rows = static_cast<int>(std::min(rows_of(message_bytes), block_.rows() - sent_));
+    const int numbers = rows * static_cast<int>(selected_.size());
     response.set_first_row(row_);
-    response.mutable_time()->Add(time_.begin() + sent_, time_.begin() + sent_ + rows);
-    response.mutable_values()->Add(values_.begin() + sent_ * width, values_.begin() + (sent_ + rows) * width);
+    response.mutable_time()->Add(block_.time.begin() + sent_, block_.time.begin() + sent_ + rows);
+    response.mutable_values()->Reserve(numbers);
+    block_.copy_rows(sent_, rows, response.mutable_values()->AddNAlreadyReserved(numbers));
     row_ += rows;
     sent_ += rows;
   }
+
+  /// At least one.
+  std::int64_t rows_of(std::int64_t bytes) const {
+    return std::max<std::int64_t>(
+        1, bytes / ((std::ssize(selected_) + 1) * static_cast<std::int64_t>(sizeof(double))));
+  }
+
+  /// Of each message but the last: a part of what a client takes by default, 4 MiB.
+  static constexpr std::int64_t message_bytes = 1 << 20;
 
   const v1::StreamHistoryRequest request_;
   store::Store& store_;
@@ -118,10 +136,9 @@ class HistoryStream final : public Stream<v1::StreamHistoryResponse> {
   std::filesystem::path directory_;  ///< of the file
   std::shared_ptr<SharedReader> reader_;
   std::vector<std::size_t> selected_;
-  std::vector<double> time_;  ///< of the rows that were read last
-  std::vector<double> values_;
-  std::int64_t sent_ = 0;  ///< of these
-  std::int64_t row_;       ///< the next one
+  results::HistoryBlock block_;  ///< what was read last
+  std::int64_t sent_ = 0;        ///< of its rows
+  std::int64_t row_;             ///< the next one
   int failures_ = 0;
 };
 

@@ -1,17 +1,25 @@
 #include "solver/results/dataset.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstring>
 #include <stdexcept>
+
+#include "solver/results/fletcher32.h"
 
 namespace trajan::results {
 
 namespace {
 
-Handle transfer_properties(Dataset::Checksums checksums) {
-  Handle properties(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "make transfer properties");
-  const H5Z_EDC_t check_sums = checksums == Dataset::Checksums::verify ? H5Z_ENABLE_EDC : H5Z_DISABLE_EDC;
-  check(H5Pset_edc_check(properties, check_sums), "choose checksums");
-  return properties;
+/// Made once: there may be thousands of datasets.
+hid_t transfer_properties(Dataset::Checksums checksums) {
+  static const hid_t ignoring = [] {
+    const hid_t properties = H5Pcreate(H5P_DATASET_XFER);
+    check(H5Pset_edc_check(properties, H5Z_DISABLE_EDC), "go without checksums");
+    return properties;
+  }();
+  return checksums == Dataset::Checksums::verify ? H5P_DEFAULT : ignoring;
 }
 
 }  // namespace
@@ -30,7 +38,6 @@ Dataset Dataset::create(hid_t parent, const std::string& name, hid_t type, hsize
   result.name_ = name;
   result.dataset_ =
       Handle(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, what);
-  result.transfer_ = transfer_properties(Checksums::ignore);
   result.components_ = components;
   result.chunk_rows_ = chunk_rows;
   return result;
@@ -41,7 +48,7 @@ Dataset Dataset::open(hid_t parent, const std::string& name, Checksums checksums
   Dataset result;
   result.name_ = name;
   result.dataset_ = Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, what);
-  result.transfer_ = transfer_properties(checksums);
+  result.checksums_ = checksums;
   Handle space(H5Dget_space(result.dataset_), H5Sclose, what);
   Handle properties(H5Dget_create_plist(result.dataset_), H5Pclose, what);
   std::array<hsize_t, 2> size{}, chunk{};
@@ -100,13 +107,47 @@ Handle Dataset::memory_space(hsize_t count) const {
 
 void Dataset::write(hsize_t first, hsize_t count, hid_t type, const void* values) {
   if (count == 0) return;
+  held_ = {};
   if (rows() < first + count) resize(first + count);
-  check(H5Dwrite(dataset_, type, memory_space(count), select(first, count), transfer_, values), "write " + name_);
+  check(
+      H5Dwrite(dataset_, type, memory_space(count), select(first, count), transfer_properties(checksums_), values),
+      "write " + name_);
 }
 
 void Dataset::read(hsize_t first, hsize_t count, hid_t type, void* values) const {
   if (count == 0) return;
-  check(H5Dread(dataset_, type, memory_space(count), select(first, count), transfer_, values), "read " + name_);
+  check(
+      H5Dread(dataset_, type, memory_space(count), select(first, count), transfer_properties(checksums_), values),
+      "read " + name_);
+}
+
+std::span<const double> Dataset::rows_from(hsize_t first, hsize_t end, hsize_t committed) {
+  const hsize_t chunk_start = first / chunk_rows_ * chunk_rows_;
+  end = std::min(end, chunk_start + chunk_rows_);
+  if (!holds(first, end)) hold_chunk(chunk_start, committed);
+  return std::span(held_.values).subspan((first - held_.first) * width(), (end - first) * width());
+}
+
+void Dataset::hold_chunk(hsize_t first, hsize_t committed) {
+  static_assert(std::endian::native == std::endian::little, "as in the file");
+  const std::string what = "read rows of " + name_;
+  const std::size_t numbers = chunk_rows_ * width();
+  const std::array<hsize_t, 2> place = {first, 0};
+  hsize_t bytes = 0;
+  std::uint32_t skipped_filters = 0, checksum = 0;
+  held_.first = held_.end = 0;
+  held_.values.resize(numbers + 1);
+  check(H5Dget_chunk_storage_size(dataset_, place.data(), &bytes), what);
+  if (bytes != numbers * sizeof(double) + sizeof(checksum))
+    throw std::runtime_error("cannot " + what + ": " + std::to_string(bytes) +
+                             " bytes are no chunk with its checksum");
+  check(H5Dread_chunk(dataset_, H5P_DEFAULT, place.data(), &skipped_filters, held_.values.data()), what);
+  std::memcpy(&checksum, &held_.values[numbers], sizeof(checksum));
+  if (checksums_ == Checksums::verify &&
+      fletcher32(std::as_bytes(std::span(held_.values).first(numbers))) != checksum)
+    throw std::runtime_error("cannot " + what + ": their checksum is wrong");
+  held_.first = first;
+  held_.end = std::min(committed, first + chunk_rows_);
 }
 
 }  // namespace trajan::results

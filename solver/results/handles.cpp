@@ -24,6 +24,10 @@ herr_t take_first(unsigned, const H5E_error2_t* entry, void* text) {
 Handle access_properties(Access access) {
   Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file access properties");
   check(H5Pset_file_locking(properties, false, true), "turn file locking off");
+  if (access == Access::read_closed || access == Access::read_live) {
+    // Who reads takes chunks as they lie in the file (Dataset::rows_from), and there may be thousands of datasets.
+    check(H5Pset_cache(properties, 0, 0, 0, 0), "go without a cache of chunks");
+  }
   if (access == Access::create || access == Access::repair) {
     check(H5Pset_libver_bounds(properties, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "choose the file format");
     // An object left open would keep the file open: that is a bug, and it shall show.

@@ -64,6 +64,45 @@ hsize_t rows_per_chunk(std::int64_t samples) {
   return static_cast<hsize_t>(std::clamp<std::int64_t>(samples + 1, 16, 4096));
 }
 
+/// Calls `take(row, piece)`, where `piece` is rows first + row … of the dataset, row-major, chunk by chunk.
+template <typename Take>
+void for_pieces(Dataset& data, hsize_t first, hsize_t count, hsize_t committed, const Take& take) {
+  for (hsize_t row = 0; row < count;) {
+    const std::span<const double> piece = data.rows_from(first + row, first + count, committed);
+    take(row, piece);
+    row += piece.size() / data.width();
+  }
+}
+
+/// Components of a dataset that are wanted, and next to each other also there.
+struct Run {
+  std::size_t component, width;
+  double* to;  ///< (rows, width)
+};
+
+void copy_run(std::span<const double> rows, std::size_t components, const Run& run, hsize_t row) {
+  double* to = run.to + row * run.width;
+  if (run.width == components) {
+    std::ranges::copy(rows, to);
+    return;
+  }
+  for (std::size_t i = run.component; i < rows.size(); i += components, to += run.width)
+    std::copy_n(rows.data() + i, run.width, to);
+}
+
+/// `places`: of each component among the columns of the block; -1: none.
+std::vector<Run> runs_of(std::span<const std::ptrdiff_t> places, HistoryBlock& block) {
+  std::vector<Run> runs;
+  for (std::size_t c = 0; c < places.size();) {
+    std::size_t end = c + 1;
+    while (end < places.size() && places[c] >= 0 && places[end] == places[end - 1] + 1) ++end;
+    if (places[c] >= 0)
+      runs.push_back({c, end - c, block.add_piece(static_cast<std::size_t>(places[c]), end - c)});
+    c = end;
+  }
+  return runs;
+}
+
 void link_time(hid_t file, const std::string& group) {
   check(H5Lcreate_hard(file, "/time", file, (group + "/time").c_str(), H5P_DEFAULT, H5P_DEFAULT),
         "link " + group + "/time");
@@ -164,30 +203,28 @@ bool Histories::holds_any(const Table& table, std::span<const std::ptrdiff_t> pl
   return std::ranges::any_of(table.columns, [&](std::size_t column) { return places[column] >= 0; });
 }
 
-void Histories::refresh_values(std::span<const std::size_t> selected) {
+void Histories::refresh_values(hsize_t first, hsize_t count, std::span<const std::size_t> selected) {
+  if (count == 0) return;
   const std::vector<std::ptrdiff_t> places = places_among(selected);
   for (Table& table : tables_)
-    if (holds_any(table, places)) table.data.refresh();
+    if (holds_any(table, places) && !table.data.holds(first, first + count)) table.data.refresh();
 }
 
-void Histories::read(hsize_t first, hsize_t count, std::span<const std::size_t> selected,
-                     std::vector<double>& time, std::vector<double>& values) const {
-  time.resize(count);
-  time_.read<double>(first, time);
-  values.resize(count * selected.size());
+void Histories::read(hsize_t first, hsize_t count, std::span<const std::size_t> selected, HistoryBlock& block) {
+  const hsize_t committed = rows();
   const std::vector<std::ptrdiff_t> places = places_among(selected);
-  std::vector<double> block;
-  for (const Table& table : tables_) {
-    if (!holds_any(table, places)) continue;
-    const std::size_t width = table.columns.size();
-    block.resize(count * width);
-    table.data.read<double>(first, block);
-    for (std::size_t c = 0; c < width; ++c) {
-      const std::ptrdiff_t place = places[table.columns[c]];
-      if (place < 0) continue;
-      double* value = values.data() + place;
-      for (std::size_t row = 0; row < count; ++row, value += selected.size()) *value = block[row * width + c];
-    }
+  block.reset(count, selected.size());
+  for_pieces(time_, first, count, committed, [&](hsize_t row, std::span<const double> piece) {
+    std::ranges::copy(piece, block.time.data() + row);
+  });
+  for (Table& table : tables_) {
+    std::vector<std::ptrdiff_t> wanted;
+    for (const std::size_t column : table.columns) wanted.push_back(places[column]);
+    const std::vector<Run> runs = runs_of(wanted, block);
+    if (runs.empty()) continue;
+    for_pieces(table.data, first, count, committed, [&](hsize_t row, std::span<const double> piece) {
+      for (const Run& run : runs) copy_run(piece, table.columns.size(), run, row);
+    });
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "solver/model/model.h"
 #include "solver/results/dataset.h"
+#include "solver/results/history_block.h"
 
 namespace trajan::results {
 
@@ -25,6 +26,7 @@ class Histories {
 
   const std::vector<std::string>& columns() const { return columns_; }
   hsize_t rows() const { return time_.rows(); }
+  hsize_t chunk_rows() const { return time_.chunk_rows(); }
 
   /// Writes rows from `first` on, not yet their times. `values` is (rows, columns) row-major.
   void write_values(hsize_t first, std::span<const double> values);
@@ -32,11 +34,11 @@ class Histories {
   void write_times(hsize_t first, std::span<const double> times) { time_.write(first, times); }
   /// Drops all rows from `rows` on. Throws if the first `file_bytes` of the file do not hold the others.
   void cut(hsize_t rows, hsize_t file_bytes);
-  /// `count` rows from `first` on of different columns; `values` becomes (count, selected.size()) row-major.
-  void read(hsize_t first, hsize_t count, std::span<const std::size_t> selected, std::vector<double>& time,
-            std::vector<double>& values) const;
+  /// `count` committed rows from `first` on of different columns.
+  void read(hsize_t first, hsize_t count, std::span<const std::size_t> selected, HistoryBlock& block);
   void refresh_rows() { time_.refresh(); }
-  void refresh_values(std::span<const std::size_t> selected);
+  /// Before these rows are read from a file that is being written.
+  void refresh_values(hsize_t first, hsize_t count, std::span<const std::size_t> selected);
 
  private:
   /// `columns[c]` is the column that component c of the dataset holds.

@@ -27,16 +27,19 @@ class Reader : public HistoryReader {
     });
   }
 
+  std::int64_t chunk_rows() const override { return static_cast<std::int64_t>(histories_.chunk_rows()); }
+
   void read(std::int64_t first, std::int64_t count, std::span<const std::size_t> selected,
-            std::vector<double>& time, std::vector<double>& values) override {
+            HistoryBlock& block) override {
     const std::int64_t available = rows();
     const std::int64_t begin = std::clamp<std::int64_t>(first, 0, available);
-    const std::int64_t end = std::clamp<std::int64_t>(first + count, begin, available);
+    const std::int64_t end = begin + std::min(count, available - begin);
     for (std::size_t column : selected)
       if (column >= columns().size()) throw std::out_of_range("there is no column " + std::to_string(column));
     guarded([&] {
-      if (live_) histories_.refresh_values(selected);
-      histories_.read(static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin), selected, time, values);
+      const auto from = static_cast<hsize_t>(begin), rows_read = static_cast<hsize_t>(end - begin);
+      if (live_) histories_.refresh_values(from, rows_read, selected);
+      histories_.read(from, rows_read, selected, block);
     });
   }
 

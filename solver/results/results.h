@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/recorder.h"
+#include "solver/results/history_block.h"
 
 /// Result files and checkpoints: the only code that sees HDF5. A job's directory holds
 ///   result.vtkhdf.part   while it is written (single writer, many readers)
@@ -86,9 +87,12 @@ class HistoryReader {
   virtual const std::vector<std::string>& columns() const = 0;
   /// Committed rows; asks the file again.
   virtual std::int64_t rows() = 0;
-  /// `count` rows from `first` on, clipped to rows(). `values` is (count, selected.size()) row-major.
+  /// Rows that the file keeps together: chunks begin at its multiples.
+  virtual std::int64_t chunk_rows() const = 0;
+  /// `count` rows from `first` on, clipped to rows(), of the selected columns, in the selection's order. Keeps a
+  /// chunk of each dataset that they lie in, so that reading on costs little: 32 KiB at most for each column.
   virtual void read(std::int64_t first, std::int64_t count, std::span<const std::size_t> selected,
-                    std::vector<double>& time, std::vector<double>& values) = 0;
+                    HistoryBlock& block) = 0;
 };
 
 /// Writes `result.xmf2` beside a finished file. Returns its path.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <stdexcept>
@@ -83,7 +84,15 @@ class Writer : public ResultWriter {
       commit();
       std::vector<std::size_t> all(columns_);
       for (std::size_t c = 0; c < columns_; ++c) all[c] = c;
-      file_->histories().read(0, static_cast<hsize_t>(durable_rows_), all, time, values);
+      const auto rows = static_cast<hsize_t>(durable_rows_), step = file_->histories().chunk_rows();
+      time.clear();
+      values.resize(rows * columns_);
+      HistoryBlock block;
+      for (hsize_t row = 0; row < rows; row += step) {
+        file_->histories().read(row, std::min(step, rows - row), all, block);
+        time.insert(time.end(), block.time.begin(), block.time.end());
+        block.copy_rows(0, block.rows(), values.data() + row * columns_);
+      }
     });
   }
 

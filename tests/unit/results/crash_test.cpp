@@ -79,11 +79,12 @@ void expect_rows(const std::filesystem::path& directory, const Model& model, std
   ASSERT_GE(rows, acknowledged);
   std::vector<std::size_t> all(reader->columns().size());
   for (std::size_t c = 0; c < all.size(); ++c) all[c] = c;
-  std::vector<double> time, values;
-  reader->read(0, rows, all, time, values);
-  ASSERT_EQ(static_cast<std::int64_t>(time.size()), rows);
+  HistoryBlock block;
+  reader->read(0, rows, all, block);
+  ASSERT_EQ(block.rows(), rows);
+  const std::vector<double> values = rows_of(block, all.size());
   for (std::int64_t row = 0; row < rows; ++row) {
-    ASSERT_EQ(time[row], time_of(model, row));
+    ASSERT_EQ(block.time[row], time_of(model, row));
     for (std::size_t c = 0; c < all.size(); ++c) ASSERT_EQ(values[row * all.size() + c], column_value(row, c));
   }
 }
@@ -119,15 +120,20 @@ TEST(Crash, KillsAtAnyMomentLoseNothingThatWasAcknowledged) {
 
 TEST(Crash, AReaderInAnotherProcessSeesOnlyRightRowsWhileTheyAreWritten) {
   const TemporaryDirectory directory;
-  const Model model = make_model(500, 10);
-  SharedMemory shared;
-  const pid_t child = in_child([&] { return acknowledge_run(directory.path(), model, shared); });
+  // Over two ends of chunks, with a commit at least every 90 rows.
+  const Model model = make_model(9'000, 100);
+  const pid_t child = in_child([&] {
+    Plan plan;
+    plan.samples_per_checkpoint = 1'000;
+    run_to_end(directory.path(), model, plan);
+    return 0;
+  });
   std::unique_ptr<HistoryReader> reader;
   const std::vector<std::size_t> selected = {0, 5, 8};
   std::int64_t seen = 0, looks = 0;
   int status = 0;
   bool ended = false;
-  std::vector<double> time, values;
+  HistoryBlock block;
   while (!ended) {
     ended = waitpid(child, &status, WNOHANG) == child;
     try {
@@ -138,11 +144,12 @@ TEST(Crash, AReaderInAnotherProcessSeesOnlyRightRowsWhileTheyAreWritten) {
     }
     const std::int64_t rows = reader->rows();
     ASSERT_GE(rows, seen);
-    reader->read(seen, rows - seen, selected, time, values);
-    ASSERT_GE(static_cast<std::int64_t>(time.size()), rows - seen);
-    for (std::size_t i = 0; i < time.size(); ++i) {
+    reader->read(seen, rows - seen, selected, block);
+    ASSERT_EQ(block.rows(), rows - seen);
+    const std::vector<double> values = rows_of(block, selected.size());
+    for (std::size_t i = 0; i < block.time.size(); ++i) {
       const auto row = static_cast<std::int64_t>(i) + seen;
-      ASSERT_EQ(time[i], time_of(model, row));
+      ASSERT_EQ(block.time[i], time_of(model, row));
       for (std::size_t s = 0; s < selected.size(); ++s)
         ASSERT_EQ(values[i * selected.size() + s], column_value(row, selected[s]));
     }

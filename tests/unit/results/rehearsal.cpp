@@ -57,6 +57,12 @@ double column_value(std::int64_t row, std::size_t column) {
   return std::sin(static_cast<double>(row) * 0.37 + static_cast<double>(column)) + static_cast<double>(row);
 }
 
+std::vector<double> rows_of(const HistoryBlock& block, std::size_t columns) {
+  std::vector<double> values(block.time.size() * columns);
+  block.copy_rows(0, block.rows(), values.data());
+  return values;
+}
+
 double particle_value(std::int64_t row, std::int64_t particle, std::string_view what, std::size_t component) {
   return static_cast<double>(row) + 1e-3 * static_cast<double>(particle) + 10 * static_cast<double>(component) +
          1000 * static_cast<double>(what.size());

@@ -29,6 +29,8 @@ Provenance provenance();
 
 double time_of(const Model& model, std::int64_t row);
 double column_value(std::int64_t row, std::size_t column);
+/// All rows of a block, (rows, columns) row-major.
+std::vector<double> rows_of(const HistoryBlock& block, std::size_t columns);
 double particle_value(std::int64_t row, std::int64_t particle, std::string_view what, std::size_t component);
 std::vector<MeasureValue> measure_values(const Model& model);
 

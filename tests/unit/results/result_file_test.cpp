@@ -23,37 +23,84 @@ TEST(Results, ThisHdf5LibraryMayBeCalledByManyThreads) {
   EXPECT_TRUE(safe);
 }
 
-TEST(Results, HistoriesComeBackAsTheyWereRecorded) {
+/// Rows `first` … of these columns must be what was recorded, in this order.
+void expect_columns(const HistoryBlock& block, const Model& model, std::int64_t first,
+                    std::span<const std::size_t> columns) {
+  const std::vector<double> values = rows_of(block, columns.size());
+  for (std::int64_t row = 0; row < block.rows(); ++row) {
+    ASSERT_EQ(block.time[row], time_of(model, first + row));
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      ASSERT_EQ(values[row * columns.size() + c], column_value(first + row, columns[c])) << row << " " << c;
+  }
+}
+
+TEST(Results, HistoriesComeBackAsTheyWereRecordedWhateverPartIsReadNext) {
   const TemporaryDirectory directory;
-  const Model model = make_model(100, 0);
-  run_to_end(directory.path(), model);
+  const Model model = make_model(9'000, 0);  // two chunks and a part of one
+  Plan plan;
+  plan.samples_per_checkpoint = 10'000;
+  run_to_end(directory.path(), model, plan);
   const auto reader = HistoryReader::open(directory.path());
   EXPECT_EQ(reader->columns(), history_columns(model));
-  EXPECT_EQ(reader->rows(), 101);
-  std::vector<double> time, values;
+  EXPECT_EQ(reader->rows(), 9'001);
+  ASSERT_EQ(reader->chunk_rows(), 4096);
   const std::vector<std::size_t> all = all_columns(*reader);
-  reader->read(0, 1000, all, time, values);
-  ASSERT_EQ(time.size(), 101u);
-  for (std::size_t row = 0; row < time.size(); ++row) {
-    EXPECT_EQ(time[row], time_of(model, static_cast<std::int64_t>(row)));
-    for (std::size_t c : all)
-      ASSERT_EQ(values[row * all.size() + c], column_value(static_cast<std::int64_t>(row), c));
+  HistoryBlock block;
+  struct Part {
+    std::int64_t first, count, rows;
+  };
+  // All; within a chunk, on from there, over its end; back; the last row, beyond the end.
+  for (const Part part : {Part{0, 10'000, 9'001},
+                          {4'000, 50, 50},
+                          {4'050, 46, 46},
+                          {4'090, 4'200, 4'200},
+                          {7, 1, 1},
+                          {9'000, 10, 1},
+                          {9'001, 10, 0},
+                          {20'000, 10, 0}}) {
+    reader->read(part.first, part.count, all, block);
+    ASSERT_EQ(block.rows(), part.rows) << part.first;
+    expect_columns(block, model, part.first, all);
   }
 }
 
 TEST(Results, SelectedColumnsComeInTheOrderOfTheSelection) {
   const TemporaryDirectory directory;
-  run_to_end(directory.path(), make_model(20, 0));
+  const Model model = make_model(20, 0);
+  run_to_end(directory.path(), model);
   const auto reader = HistoryReader::open(directory.path());
-  std::vector<double> time, values;
-  const std::vector<std::size_t> selected = {6, 1, 9};
-  reader->read(18, 10, selected, time, values);
-  ASSERT_EQ(time.size(), 3u);
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t s = 0; s < 3; ++s)
-      EXPECT_EQ(values[row * 3 + s], column_value(18 + static_cast<std::int64_t>(row), selected[s]));
-  reader->read(50, 10, selected, time, values);
-  EXPECT_TRUE(time.empty());
+  HistoryBlock block;
+  for (const std::vector<std::size_t>& selected : {std::vector<std::size_t>{6, 1, 9}, {1, 0}, {1, 2, 3}, {2}}) {
+    reader->read(18, 10, selected, block);
+    ASSERT_EQ(block.rows(), 3);
+    expect_columns(block, model, 18, selected);
+  }
+}
+
+TEST(Results, AHistoryWithAWrongBitIsNotRead) {
+  const TemporaryDirectory directory;
+  const Model model = make_model(100, 0);
+  const FinishedFile finished = run_to_end(directory.path(), model);
+  const double value = column_value(70, 3);
+  std::string bytes;
+  {
+    std::ifstream file(finished.path, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  const std::size_t place = bytes.find(std::string(reinterpret_cast<const char*>(&value), sizeof(value)));
+  ASSERT_NE(place, std::string::npos);
+  bytes[place] = static_cast<char>(bytes[place] ^ 1);
+  std::ofstream(finished.path, std::ios::binary) << bytes;
+  const auto reader = HistoryReader::open(directory.path());
+  HistoryBlock block;
+  const std::vector<std::size_t> damaged = {3}, whole = {9};
+  EXPECT_NO_THROW(reader->read(0, 10, whole, block));
+  try {
+    reader->read(0, 10, damaged, block);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("checksum"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Results, AFinishedFileHasItsDigestAndLeavesNothingElse) {
