@@ -6,8 +6,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "client/table.h"
-
 namespace trajan::client {
 namespace {
 
@@ -66,7 +64,8 @@ class Collector : public HistoryConsumer {
   void rows(const HistoryRows& rows) override {
     history.time.insert(history.time.end(), rows.time.begin(), rows.time.end());
     const std::size_t width = history.columns.size();
-    for (std::size_t i = 0; i < rows.values.size(); ++i) history.values[i % width].push_back(rows.values[i]);
+    for (std::size_t c = 0; c < width; ++c)
+      for (std::size_t i = c; i < rows.values.size(); i += width) history.values[c].push_back(rows.values[i]);
   }
   History history;
 };
@@ -115,17 +114,6 @@ History read_history_csv(const std::string& file) {
     }
   }
   return history;
-}
-
-void write_history_csv(std::ostream& out, const History& history) {
-  out << "time";
-  for (const std::string& column : history.columns) out << ',' << csv_text(column);
-  out << '\n';
-  for (std::size_t row = 0; row < history.time.size(); ++row) {
-    out << fmt::format("{}", history.time[row]);
-    for (const std::vector<double>& column : history.values) out << fmt::format(",{}", column[row]);
-    out << '\n';
-  }
 }
 
 }  // namespace trajan::client

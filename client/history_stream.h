@@ -48,7 +48,4 @@ History read_history(Connection& connection, const HistoryRequest& request);
 /// Reads what `trajan history` wrote as CSV. Throws CommandError.
 History read_history_csv(const std::string& file);
 
-/// Writes a history as CSV: `time` and the columns, then one line for each row.
-void write_history_csv(std::ostream& out, const History& history);
-
 }  // namespace trajan::client

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <optional>
 
 #include "client/commands/all.h"
 #include "client/download.h"
 #include "client/follow_job.h"
 #include "client/history_stream.h"
+#include "client/history_text.h"
 #include "client/job_table.h"
 #include "client/outcome.h"
 #include "client/progress_display.h"
@@ -64,39 +66,18 @@ class HistoryPrinter : public HistoryConsumer {
  public:
   HistoryPrinter(OutputFormat format, bool with_heading) : format_(format), with_heading_(with_heading) {}
   void columns(const std::vector<std::string>& names) override {
-    names_ = names;
-    if (format_ != OutputFormat::csv || !with_heading_) return;
-    std::cout << "time";
-    for (const std::string& name : names) std::cout << ',' << csv_text(name);
-    std::cout << std::endl;
+    text_.emplace(format_, names);
+    if (format_ == OutputFormat::csv && with_heading_) std::cout << text_->heading() << std::flush;
   }
   void rows(const HistoryRows& rows) override {
-    fmt::memory_buffer text;
-    for (std::size_t row = 0; row < rows.time.size(); ++row) {
-      const auto values = rows.values.subspan(row * names_.size(), names_.size());
-      if (format_ == OutputFormat::csv) {
-        fmt::format_to(std::back_inserter(text), "{}", rows.time[row]);
-        for (const double value : values) fmt::format_to(std::back_inserter(text), ",{}", value);
-        text.push_back('\n');
-      } else {
-        append_json(text, rows.first_row + static_cast<std::int64_t>(row), rows.time[row], values);
-      }
-    }
-    std::cout.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
+    const std::string_view lines = text_->lines(rows);
+    std::cout.write(lines.data(), std::ssize(lines)).flush();
   }
 
  private:
-  void append_json(fmt::memory_buffer& text, std::int64_t row, double time, std::span<const double> values) {
-    fmt::format_to(std::back_inserter(text), "{{\"row\":{},\"time\":{}", row, json_number(time));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      fmt::format_to(std::back_inserter(text), ",{}:{}", json_string(names_[i]), json_number(values[i]));
-    }
-    fmt::format_to(std::back_inserter(text), "}}\n");
-  }
-
   OutputFormat format_;
   bool with_heading_;
-  std::vector<std::string> names_;
+  std::optional<HistoryText> text_;
 };
 
 ExitCode history(const GlobalOptions& global, const PrintHistory& asked) {

@@ -8,6 +8,7 @@
 #include "client/follow_job.h"
 #include "client/history_picture.h"
 #include "client/history_stream.h"
+#include "client/history_text.h"
 #include "client/interrupt.h"
 #include "client/load_scene.h"
 #include "client/outcome.h"

@@ -7,6 +7,7 @@
 
 #include "client/exact_histories.h"
 #include "client/gnuplot.h"
+#include "client/history_text.h"
 #include "client/job_table.h"
 #include "client/progress_display.h"
 #include "client/submission.h"
@@ -55,6 +56,22 @@ TEST(Table, HasNoNumbersInJsonThatJsonDoesNotKnow) {
 TEST(Table, GivesNumbersThatReadBackToTheSameBits) {
   const double third = 1.0 / 3.0;
   EXPECT_EQ(std::stod(json_number(third)), third);
+}
+
+TEST(HistoryText, HasTheShortestNumbersThatReadBackAndNullWhereJsonKnowsNone) {
+  const std::vector<double> time = {0.5, 1.0 / 3.0};
+  const std::vector<double> values = {-std::numeric_limits<double>::max(), -std::numeric_limits<double>::min(),
+                                      std::numeric_limits<double>::infinity(), 2};
+  const HistoryRows rows{1'000'000, time, values};
+  HistoryText csv(OutputFormat::csv, {"a", "b,c"});
+  EXPECT_EQ(csv.heading(), "time,a,\"b,c\"\n");
+  EXPECT_EQ(csv.lines(rows),
+            "0.5,-1.7976931348623157e+308,-2.2250738585072014e-308\n"
+            "0.3333333333333333,inf,2\n");
+  HistoryText json(OutputFormat::jsonl, {"a", "b,c"});
+  EXPECT_EQ(json.lines(rows),
+            "{\"row\":1000000,\"time\":0.5,\"a\":-1.7976931348623157e+308,\"b,c\":-2.2250738585072014e-308}\n"
+            "{\"row\":1000001,\"time\":0.3333333333333333,\"a\":null,\"b,c\":2}\n");
 }
 
 TEST(MeasureTable, JudgesTheErrorByTheTolerance) {
