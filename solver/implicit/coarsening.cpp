@@ -87,16 +87,15 @@ Coarsening coarsen(const Places& fine) {
   return result;
 }
 
-Eigen::SparseMatrix<double> galerkin(const Eigen::SparseMatrix<double>& matrix,
-                                     const Interpolation& interpolation) {
-  const Eigen::SparseMatrix<double> columns = interpolation;
-  Eigen::SparseMatrix<double> result(columns.cols(), columns.cols());
+Eigen::SparseMatrix<double> galerkin(const Eigen::SparseMatrix<double>& matrix, const Interpolation& interpolation,
+                                     const Interpolation& restriction) {
+  Eigen::SparseMatrix<double> result(restriction.rows(), restriction.rows());
   result.reserve(
-      static_cast<Eigen::Index>(static_cast<double>(matrix.nonZeros()) * static_cast<double>(columns.cols()) /
-                                static_cast<double>(columns.rows())));
-  Sum fine(columns.rows()), coarse(columns.cols());
-  for (int column = 0; column < columns.cols(); ++column) {
-    for (Eigen::SparseMatrix<double>::InnerIterator of(columns, column); of; ++of)
+      static_cast<Eigen::Index>(static_cast<double>(matrix.nonZeros()) * static_cast<double>(result.cols()) /
+                                static_cast<double>(matrix.cols())));
+  Sum fine(matrix.rows()), coarse(result.rows());
+  for (int column = 0; column < result.cols(); ++column) {
+    for (Interpolation::InnerIterator of(restriction, column); of; ++of)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, of.index()); entry; ++entry)
         fine.add(static_cast<int>(entry.index()), of.value() * entry.value());
     for (const int row : fine.entries())

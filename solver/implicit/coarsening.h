@@ -19,8 +19,9 @@ struct Coarsening {
 };
 Coarsening coarsen(const Places& fine);
 
-/// Galerkin's matrix on the coarser grid: interpolation^T matrix interpolation, of a symmetric matrix.
-Eigen::SparseMatrix<double> galerkin(const Eigen::SparseMatrix<double>& matrix,
-                                     const Interpolation& interpolation);
+/// Galerkin's matrix on the coarser grid: restriction matrix interpolation, of a symmetric matrix; `restriction`:
+/// the transpose of the interpolation.
+Eigen::SparseMatrix<double> galerkin(const Eigen::SparseMatrix<double>& matrix, const Interpolation& interpolation,
+                                     const Interpolation& restriction);
 
 }  // namespace trajan

@@ -18,7 +18,9 @@ constexpr double least_coarsening = 0.7;
 /// matrix makes of their differences is then rounding, and interpolates to nothing.
 constexpr double shift = 1e-13;
 
-/// Threads meet after each half of a sweep: that should not cost more than the sweep.
+/// Threads meet after each half of a sweep. On a busy machine they wait for each other as long as many small
+/// sweeps take: matrices with fewer entries have one.
+constexpr Eigen::Index least_entries = 300'000;
 constexpr std::size_t least_slab = 64;
 /// Nodes of a piece, rows that are interpolated.
 constexpr std::size_t most_of_piece = 256;
@@ -55,7 +57,7 @@ bool Multigrid::build(const Matrix& matrix, const Places& places, const Eigen::V
     interpolation.swap(coarsening.interpolation);
     if (level == 0) interpolation = scale.cwiseInverse().asDiagonal() * interpolation;
     levels_[level].restriction = interpolation.transpose();
-    next = galerkin(this->matrix(level), interpolation);
+    next = galerkin(this->matrix(level), interpolation, levels_[level].restriction);
     const auto rows = static_cast<double>(finer.size()), coarse = static_cast<double>(coarsening.places.size());
     finer = std::move(coarsening.places);
     if (next.rows() <= most_coarsest || coarse > least_coarsening * rows) break;
@@ -96,6 +98,7 @@ void Multigrid::find_slabs(std::size_t number) {
   Level& level = levels_[number];
   const Matrix& of = matrix(number);
   std::vector<Node>& nodes = level.nodes;
+  level.large = of.nonZeros() >= least_entries;
   // The lowest column of the nodes from here on, and the highest of those before.
   std::vector<int> lowest(nodes.size() + 1, static_cast<int>(of.rows())), highest(nodes.size() + 1, -1);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -140,7 +143,11 @@ bool Multigrid::factorize_coarsest(Matrix matrix) {
 }
 
 template <class Of>
-void Multigrid::share(std::size_t count, Of&& of) {
+void Multigrid::share(const Level& level, std::size_t count, Of&& of) {
+  if (!level.large) {
+    for (std::size_t i = 0; i < count; ++i) of(i, gathered_[0].data());
+    return;
+  }
   std::atomic<std::size_t> next = 0;
   pool_.run([&](int thread) {
     double* gathered = gathered_[static_cast<std::size_t>(thread)].data();
@@ -149,15 +156,17 @@ void Multigrid::share(std::size_t count, Of&& of) {
 }
 
 template <class To>
-void Multigrid::interpolate(const Interpolation& by, const Eigen::VectorXd& x, To&& to) {
-  share(static_cast<std::size_t>((by.rows() + rows_of_piece - 1) / rows_of_piece), [&](std::size_t i, double*) {
-    const Eigen::Index begin = static_cast<Eigen::Index>(i) * rows_of_piece;
-    for (Eigen::Index row = begin; row < std::min(begin + rows_of_piece, by.rows()); ++row) {
-      double sum = 0;
-      for (Interpolation::InnerIterator entry(by, row); entry; ++entry) sum += entry.value() * x[entry.index()];
-      to(row, sum);
-    }
-  });
+void Multigrid::interpolate(const Level& level, const Interpolation& by, const Eigen::VectorXd& x, To&& to) {
+  share(level, static_cast<std::size_t>((by.rows() + rows_of_piece - 1) / rows_of_piece),
+        [&](std::size_t i, double*) {
+          const Eigen::Index begin = static_cast<Eigen::Index>(i) * rows_of_piece;
+          for (Eigen::Index row = begin; row < std::min(begin + rows_of_piece, by.rows()); ++row) {
+            double sum = 0;
+            for (Interpolation::InnerIterator entry(by, row); entry; ++entry)
+              sum += entry.value() * x[entry.index()];
+            to(row, sum);
+          }
+        });
 }
 
 template <Multigrid::Part part>
@@ -210,7 +219,7 @@ Multigrid::Rows Multigrid::solve(const Node& node, const Eigen::VectorXd& right,
 void Multigrid::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   y.resize(x.size());
   const Level& level = levels_[0];
-  share(level.pieces.size(), [&](std::size_t i, double* gathered) {
+  share(level, level.pieces.size(), [&](std::size_t i, double* gathered) {
     const Piece& piece = level.pieces[i];
     for (std::size_t n = piece.begin; n < piece.end; ++n) {
       const Node& node = level.nodes[n];
@@ -255,9 +264,9 @@ void Multigrid::cycle(std::size_t number, const Eigen::VectorXd& r, Eigen::Vecto
   const auto backwards = [&](std::size_t slab, double* gathered) {
     sweep_backwards(number, level.slabs[slab], r, z, gathered);
   };
-  share(even, [&](std::size_t i, double* gathered) { forwards(2 * i, gathered); });
-  share(slabs - even, [&](std::size_t i, double* gathered) { forwards(2 * i + 1, gathered); });
-  share(level.pieces.size(), [&](std::size_t i, double* gathered) {
+  share(level, even, [&](std::size_t i, double* gathered) { forwards(2 * i, gathered); });
+  share(level, slabs - even, [&](std::size_t i, double* gathered) { forwards(2 * i + 1, gathered); });
+  share(level, level.pieces.size(), [&](std::size_t i, double* gathered) {
     const Piece& piece = level.pieces[i];
     for (std::size_t n = piece.begin; n < piece.end; ++n) {
       const Node& node = level.nodes[n];
@@ -266,11 +275,12 @@ void Multigrid::cycle(std::size_t number, const Eigen::VectorXd& r, Eigen::Vecto
     }
   });
   level.right.resize(level.restriction.rows());
-  interpolate(level.restriction, level.rest, [&](Eigen::Index row, double value) { level.right[row] = value; });
+  interpolate(level, level.restriction, level.rest,
+              [&](Eigen::Index row, double value) { level.right[row] = value; });
   cycle(number + 1, level.right, level.answer);
-  interpolate(level.interpolation, level.answer, [&](Eigen::Index row, double value) { z[row] += value; });
-  share(slabs - even, [&](std::size_t i, double* gathered) { backwards(2 * i + 1, gathered); });
-  share(even, [&](std::size_t i, double* gathered) { backwards(2 * i, gathered); });
+  interpolate(level, level.interpolation, level.answer, [&](Eigen::Index row, double value) { z[row] += value; });
+  share(level, slabs - even, [&](std::size_t i, double* gathered) { backwards(2 * i + 1, gathered); });
+  share(level, even, [&](std::size_t i, double* gathered) { backwards(2 * i, gathered); });
 }
 
 }  // namespace trajan

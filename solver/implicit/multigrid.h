@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <array>
+#include <deque>
 #include <vector>
 
 #include "solver/executors/thread_pool.h"
@@ -56,6 +57,7 @@ class Multigrid {
     std::vector<Node> nodes;
     std::vector<Slab> slabs;
     std::vector<Piece> pieces;
+    bool large = false;                        ///< enough for several threads
     Interpolation interpolation, restriction;  ///< from the next level, and to it
     Eigen::VectorXd rest, right, answer;
   };
@@ -79,16 +81,16 @@ class Multigrid {
                       const Eigen::VectorXd& x, double* gathered);
   /// Solves the node's equations with `before` as the product of what is known.
   static Rows solve(const Node& node, const Eigen::VectorXd& right, const Rows& known);
-  /// Calls of(number, working memory for a row) for so many numbers, on all threads.
+  /// Calls of(number, working memory for a row) for so many numbers, on all threads if the level is large.
   template <class Of>
-  void share(std::size_t count, Of&& of);
+  void share(const Level& level, std::size_t count, Of&& of);
   /// Calls to(row, its product with x) for all rows.
   template <class To>
-  void interpolate(const Interpolation& by, const Eigen::VectorXd& x, To&& to);
+  void interpolate(const Level& level, const Interpolation& by, const Eigen::VectorXd& x, To&& to);
 
   ThreadPool& pool_;
   const Eigen::SparseMatrix<double>* finest_ = nullptr;
-  std::vector<Level> levels_;
+  std::deque<Level> levels_;  ///< stay where they are: Eigen's matrices do not move, they are copied
   Cholesky coarsest_;
   Eigen::VectorXd coarsest_scale_;
   double reciprocal_condition_ = 1;
