@@ -21,6 +21,36 @@ void collect(std::size_t nodes, std::size_t elements, Elements&& nodes_of, std::
   }
 }
 
+/// Adds to the columns of the particle's node of number b what its displacement makes of the forces at all its
+/// nodes.
+template <std::size_t axes, bool axisymmetric>
+void add_stiffness(const Discretization::Particle& particle, const double* tangent, std::uint32_t b,
+                   const std::vector<int>& place, double* const* column) {
+  constexpr std::size_t count = axes * axes + (axisymmetric ? 1 : 0);
+  const double* slope = particle.gradients + b * axes;
+  // The change of forces by the node's displacement along k.
+  double change[axes][count] = {};
+  for (std::size_t k = 0; k < axes; ++k)
+    for (std::size_t r = 0; r < count; ++r) {
+      for (std::size_t l = 0; l < axes; ++l) change[k][r] += tangent[r * count + k * axes + l] * slope[l];
+      if (k == 0 && axisymmetric)
+        change[k][r] += tangent[r * count + axes * axes] * particle.weights[b] * particle.inverse_radius;
+    }
+  for (std::size_t a = 0; a < particle.nodes.size(); ++a) {
+    const double* test = particle.gradients + a * axes;
+    const int at = place[particle.nodes[a]];
+    for (std::size_t k = 0; k < axes; ++k) {
+      for (std::size_t r = 0; r < axes; ++r) {
+        double sum = column[k][static_cast<std::size_t>(at) + r];
+        for (std::size_t j = 0; j < axes; ++j) sum += test[j] * change[k][r * axes + j];
+        column[k][static_cast<std::size_t>(at) + r] = sum;
+      }
+      if constexpr (axisymmetric)
+        column[k][at] += particle.weights[a] * particle.inverse_radius * change[k][axes * axes];
+    }
+  }
+}
+
 }  // namespace
 
 Assembly::Assembly(const Discretization& on, const GhostPenalty& ghost, ThreadPool& pool)
@@ -90,33 +120,16 @@ void Assembly::for_each_column(Column&& of) const {
 void Assembly::stiffness(const std::vector<double>& tangents, SparseMatrix& out) const {
   begin(out);
   const auto axes = static_cast<std::size_t>(on_.axes()), count = static_cast<std::size_t>(on_.components());
+  const auto add = on_.axisymmetric() ? &add_stiffness<2, true>
+                   : axes == 1        ? &add_stiffness<1, false>
+                   : axes == 2        ? &add_stiffness<2, false>
+                                      : &add_stiffness<3, false>;
   for_each_column([&](std::size_t node, const std::vector<int>& place) {
     double* column[3] = {};
     for (std::size_t k = 0; k < axes; ++k) column[k] = out.valuePtr() + out.outerIndexPtr()[node * axes + k];
     for (std::size_t i = first_incidence_[node]; i < first_incidence_[node + 1]; ++i) {
       const auto [p, b] = incidences_[i];
-      const Discretization::Particle particle = on_.particle(p);
-      const double* tangent = &tangents[p * count * count];
-      const double* slope = particle.gradients + b * axes;
-      // The change of forces by the node's displacement along k.
-      double change[3][10] = {};
-      for (std::size_t k = 0; k < axes; ++k)
-        for (std::size_t r = 0; r < count; ++r) {
-          for (std::size_t l = 0; l < axes; ++l) change[k][r] += tangent[r * count + k * axes + l] * slope[l];
-          if (k == 0 && on_.axisymmetric())
-            change[k][r] += tangent[r * count + axes * axes] * particle.weights[b] * particle.inverse_radius;
-        }
-      for (std::size_t a = 0; a < particle.nodes.size(); ++a) {
-        const double* test = particle.gradients + a * axes;
-        const int at = place[particle.nodes[a]];
-        for (std::size_t k = 0; k < axes; ++k) {
-          for (std::size_t r = 0; r < axes; ++r)
-            for (std::size_t j = 0; j < axes; ++j)
-              column[k][static_cast<std::size_t>(at) + r] += test[j] * change[k][r * axes + j];
-          if (on_.axisymmetric())
-            column[k][at] += particle.weights[a] * particle.inverse_radius * change[k][axes * axes];
-        }
-      }
+      add(on_.particle(p), &tangents[p * count * count], b, place, column);
     }
     for (std::size_t i = first_ghost_[node]; i < first_ghost_[node + 1]; ++i) {
       const auto [d, b] = ghosts_[i];

@@ -26,9 +26,8 @@ constexpr double asymmetry = 1e-11;
 /// depend on that. They take the assembled matrix, too. Counted for linear functions in space and 8 particles in a
 /// cell, its 81 entries a row are 972 bytes and 81 products for each unknown. Products without it, over particles,
 /// read tangents, gradients and nodes (872 bytes) and take 225 products for each of 8/3 particles: 2325 bytes and
-/// 600 products; and sweeps need rows. A cube of 68^3 cells takes 5.0 GB (measured): 1.6 tangents and 0.4
-/// gradients and forces of particles, 1.2 what particles see of the grid, 0.9 the matrix, 0.4 multigrid, 0.5 the
-/// rest.
+/// 600 products; and sweeps need rows. A cube of 68^3 cells takes 4.9 GB (measured): 0.6 particles, 1.2 what they
+/// see of the grid, 1.8 their tangents, gradients and forces, 0.9 the matrix, 0.3 multigrid.
 constexpr double most_bytes = 4e9;
 /// Non-zeros of a matrix whose factors are not even sized up: in three dimensions they take some hundred times as
 /// many bytes.
