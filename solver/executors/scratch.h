@@ -8,8 +8,9 @@
 
 namespace trajan {
 
-/// Particles that one call of a stage works on: their intermediate values stay in the first-level cache.
-inline constexpr int block_size = 128;
+/// Particles that one call of a stage works on: their intermediate values stay in the first-level cache. Two of
+/// them hold a plane's tile of four particles to a cell, and some that have come from other tiles.
+inline constexpr int block_size = 144;
 /// Stages may write so many entries past the last particle.
 inline constexpr int block_padding = 8;
 
@@ -55,7 +56,7 @@ struct alignas(64) Scratch {
   /// Bytes.
   virtual std::size_t memory() const { return sizeof *this; }
 
-  alignas(64) std::int64_t cell[block_size + 2 * block_padding];  ///< index of the stencil's first node
+  alignas(64) std::int32_t cell[block_size + 2 * block_padding];  ///< index of the stencil's first node
   BlockDoubles gradient[9];    ///< of velocity, row by row: d v_x / d y is the second
   BlockDoubles gradient_rest;  ///< axisymmetric: hoop strain rate, radial velocity over radius
   BlockDoubles force[9];       ///< volume times stress over cell size, row by row

@@ -21,7 +21,7 @@ void append(Block& block, BlockStencils& out) {
         bool any = weights[lane] != 0;
         for (int axis = 0; axis < D; ++axis) any = any || slopes[axis][lane] != 0;
         if (!any) continue;
-        out.nodes.push_back(static_cast<int>(scratch.cell[i]) + at + Stencil::offset(lane));
+        out.nodes.push_back(scratch.cell[i] + at + Stencil::offset(lane));
         out.weights.push_back(weights[lane]);
         for (int axis = 0; axis < D; ++axis)
           out.gradients.push_back(slopes[axis][lane] * block.sweep->inverse_cell);

@@ -1,6 +1,7 @@
 #include "solver/schemes/share_dilatation.h"
 
 #include <array>
+#include <bit>
 
 #include "solver/materials/material.h"
 #include "solver/schemes/law_response.h"
@@ -30,19 +31,19 @@ class CellMeans {
 
  private:
   struct Sum {
-    std::int64_t cell = -1;
+    std::int32_t cell = -1;
     double weight = 0, value = 0;
   };
-  static constexpr std::size_t slots = 2 * block_size;  // a power of two, and never full
+  static constexpr std::size_t slots = std::bit_ceil(2U * block_size);  // never full
 
-  Sum& find(std::int64_t cell) {
+  Sum& find(std::int32_t cell) {
     for (std::size_t slot = static_cast<std::size_t>(cell) % slots;; slot = (slot + 1) % slots) {
       if (sums_[slot].cell < 0) sums_[slot].cell = cell;
       if (sums_[slot].cell == cell) return sums_[slot];
     }
   }
 
-  const std::int64_t* cells_;
+  const std::int32_t* cells_;
   std::array<Sum, slots> sums_{};
 };
 

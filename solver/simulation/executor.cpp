@@ -137,6 +137,7 @@ void Executor::bind() {
     tiles_.make_windows(loop_.windows(tiles_));
   else
     tiles_.make_windows();
+  blocks_.assign(scratch_.size(), {});
   account_.bind(tiles);
   unborne_forces_ = false;
 }
@@ -192,9 +193,7 @@ void Executor::run(std::span<const Pass> passes, const NodeWork& work) {
 
 Trouble Executor::sweep_tiles(const Sweep& sweep, const NodeWork& work) {
   for (auto& scratch : scratch_) scratch->trouble = {};
-  const auto of_particles = [&](std::size_t tile, std::size_t thread) {
-    run_tile(tile, sweep, *scratch_[thread]);
-  };
+  const auto of_particles = [&](std::size_t tile, std::size_t thread) { run_tile(tile, sweep, thread); };
   if (work)
     loop_.by_wave(of_particles, work);
   else
@@ -211,21 +210,25 @@ Trouble Executor::sweep_tiles(const Sweep& sweep, const NodeWork& work) {
   return trouble;
 }
 
-void Executor::run_tile(std::size_t index, const Sweep& sweep, Scratch& scratch) {
+void Executor::run_tile(std::size_t index, const Sweep& sweep, std::size_t thread) {
   const Tile& tile = tiles_.tiles()[index];
   if (tile.window < 0) return;
-  if (sweep.mask) transfer_.load_window(scratch, tiles_.nodes_around(tile), sweep.mask);
+  if (sweep.mask) transfer_.load_window(*scratch_[thread], tiles_.nodes_around(tile), sweep.mask);
   const int window_nodes = transfer_.layout.window_nodes;
-  double* sums = tiles_.sums(index) + sweep.first_sum * window_nodes;
-  std::fill(sums, sums + sweep.sums * window_nodes, 0.0);
-  Block block;
+  double* sums = tiles_.sums(index);
+  std::fill_n(sums + sweep.first_sum * window_nodes, sweep.sums * window_nodes, 0.0);
+  Block& block = blocks_[thread];
+  place(block, tile);
+  block.sums = sums;
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
     const BlockRange& range = tiles_.blocks()[b];
-    if (block.body == &bodies_[range.body].constants)
-      point_to(block, bodies_[range.body], range);
-    else
-      block = make_block(tile, range, scratch);
-    block.sums = tiles_.sums(index);
+    const BodyParticles& body = bodies_[range.body];
+    if (block.body != &body.constants) {
+      block = make_block(tile, range, *scratch_[thread]);
+      block.sums = sums;
+    } else {
+      point_to(block, body, range);
+    }
     for (Stage stage : sweep.stages[range.body]) stage(block);
   }
 }
@@ -236,15 +239,20 @@ Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& s
   point_to(block, body, range);
   block.body = &body.constants;
   block.sweep = &sweep_;
+  block.scratch = &scratch;
+  place(block, tile);
+  return block;
+}
+
+void Executor::place(Block& block, const Tile& tile) const {
   for (int axis = 0; axis < axes_; ++axis) {
     block.window_first[axis] = transfer_.layout.side * static_cast<double>(tile.at[axis]) - 1;
     block.lowest[axis] = tile.cells.lowest[axis];
     block.highest[axis] = tile.cells.highest[axis];
   }
-  block.scratch = &scratch;
-  return block;
 }
 
+/// Turns a formula that fails into divergence.
 template <class Of>
 void Executor::or_diverge(Of&& of) {
   try {

@@ -99,9 +99,9 @@ class Executor {
   void finish(const NodeWork& work);
   void run(std::span<const Pass> passes, const NodeWork& work = {});
   Trouble sweep_tiles(const Sweep& sweep, const NodeWork& work);
-  void run_tile(std::size_t tile, const Sweep& sweep, Scratch& scratch);
+  void run_tile(std::size_t tile, const Sweep& sweep, std::size_t thread);
   Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
-  /// Turns a formula that fails into divergence.
+  void place(Block& block, const Tile& tile) const;
   template <class Of>
   void or_diverge(Of&& of);
   NodeBlock node_block(std::size_t tile, std::size_t thread);
@@ -114,7 +114,6 @@ class Executor {
   void project(const Projection& projection, double light_mass);
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
-
   const Model& model_;
   bool rehearsal_;
   int axes_;  ///< of the grid
@@ -135,6 +134,7 @@ class Executor {
   StepTimes times_;
   std::vector<Pass> noted_;                        ///< passes over particles that are still to be run
   std::vector<std::unique_ptr<Scratch>> scratch_;  ///< by thread
+  std::vector<Block> blocks_;                      ///< by thread, that of the last run
   std::vector<NodeSums> collected_;                ///< by thread or by tile
   std::vector<Totals> tile_totals_;
   Account account_;

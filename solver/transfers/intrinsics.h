@@ -111,17 +111,17 @@ requires(sizeof(Vector) == 64) struct LanesFrom<Vector> {
 #endif
 
 /// Writes the indices i in 1 .. count - 1 with values[i] != values[i - 1], in order, and returns how many there
-/// are. Without a branch that depends on the values, and with room for 8 indices more.
-inline int find_changes(const std::int64_t* values, int count, std::int32_t* out) {
+/// are. Without a branch that depends on the values, and with room for 16 indices more.
+inline int find_changes(const std::int32_t* values, int count, std::int32_t* out) {
   int found = 0;
-#ifdef __AVX512VL__
-  __m256i index = _mm256_setr_epi32(1, 2, 3, 4, 5, 6, 7, 8);
-  for (int i = 1; i < count; i += 8, index = _mm256_add_epi32(index, _mm256_set1_epi32(8))) {
-    const auto there = static_cast<__mmask8>(count - i < 8 ? (1 << (count - i)) - 1 : 255);
-    const __m512i before = _mm512_maskz_loadu_epi64(there, values + i - 1);
-    const __mmask8 changed =
-        _mm512_mask_cmpneq_epi64_mask(there, _mm512_maskz_loadu_epi64(there, values + i), before);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + found), _mm256_maskz_compress_epi32(changed, index));
+#ifdef __AVX512F__
+  __m512i index = _mm512_setr_epi32(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
+  for (int i = 1; i < count; i += 16, index = _mm512_add_epi32(index, _mm512_set1_epi32(16))) {
+    const auto there = static_cast<__mmask16>(count - i < 16 ? (1 << (count - i)) - 1 : 0xFFFF);
+    const __m512i before = _mm512_maskz_loadu_epi32(there, values + i - 1);
+    const __mmask16 changed =
+        _mm512_mask_cmpneq_epi32_mask(there, _mm512_maskz_loadu_epi32(there, values + i), before);
+    _mm512_storeu_si512(out + found, _mm512_maskz_compress_epi32(changed, index));
     found += __builtin_popcount(changed);
   }
 #else

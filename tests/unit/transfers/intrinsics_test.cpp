@@ -52,13 +52,12 @@ TYPED_TEST(LanesFromOne, GetTheNumberAndNoOthers) {
 TEST(FindChanges, FindsTheFirstOfEveryRunOfEqualValuesWhateverTheirNumber) {
   for (int count = 1; count < 40; ++count)
     for (int period = 1; period < 12; ++period) {
-      std::vector<std::int64_t> values;
-      std::vector<std::int32_t> expected;
+      std::vector<std::int32_t> values, expected;
       for (int i = 0; i < count; ++i) {
         values.push_back(i / period % 3);
         if (i > 0 && values[i] != values[i - 1]) expected.push_back(i);
       }
-      std::vector<std::int32_t> found(values.size() + 8, -1);
+      std::vector<std::int32_t> found(values.size() + 16, -1);
       found.resize(static_cast<std::size_t>(find_changes(values.data(), count, found.data())));
       EXPECT_EQ(found, expected) << count << ' ' << period;
     }
