@@ -25,53 +25,58 @@ void include(CellRange& range, const CellRange& other) {
   }
 }
 
-/// Where a position is among the tiles.
+/// Where positions are along one axis.
+struct AxisFinder {
+  struct Found {
+    std::int32_t tile, cell, bin;  ///< the cell is one of the window
+  };
+  double origin, inverse_cell, period, shift;
+  std::int32_t side, tile_bits;
+
+  Found operator()(double position) const {
+    double x = (position - origin) * inverse_cell;
+    if (period > 0) {
+      x -= period * std::floor(x / period);
+      x = x >= period ? 0 : x;  // rounding
+    }
+    const double whole = std::floor(x);
+    const auto cell = static_cast<std::int32_t>(whole);
+    const std::int32_t in_tile = cell & (side - 1);
+    return {cell >> tile_bits, in_tile + 1, in_tile + (x - whole >= 1 - shift)};
+  }
+};
+
+/// Where positions are among the tiles.
 class PlaceFinder {
  public:
-  struct Found {
-    TileIndex tile{};
-    TileIndex cell{};  ///< of the window
-    int bin = 0;       ///< in the order of a tile
-  };
-
   PlaceFinder(const Grid& grid, const Tiles& tiles, bool staggered)
-      : tiles_(tiles),
+      : axes_(static_cast<std::size_t>(tiles.layout().dimensions)),
         // Stencils that change in the middle of cells begin at one more node along each axis.
-        bins_along_(tiles.layout().side + staggered),
-        shift_(staggered ? 0.5 : 0),
-        inverse_cell_(1 / grid.cell),
-        origin_{grid.origin.x, grid.origin.y, grid.origin.z} {}
+        bins_along_(tiles.layout().side + staggered) {
+    const double origin[] = {grid.origin.x, grid.origin.y, grid.origin.z};
+    for (std::size_t axis = 0; axis < axes_; ++axis)
+      along_[axis] = {.origin = origin[axis],
+                      .inverse_cell = 1 / grid.cell,
+                      .period = static_cast<double>(tiles.period(static_cast<int>(axis))),
+                      .shift = staggered ? 0.5 : 0,
+                      .side = tiles.layout().side,
+                      .tile_bits = tiles.layout().tile_bits};
+  }
 
-  int bins() const {
-    int bins = 1;
-    for (int axis = 0; axis < tiles_.layout().dimensions; ++axis) bins *= bins_along_;
+  std::size_t axes() const { return axes_; }
+  /// In the order of a tile.
+  std::int32_t bins_along() const { return bins_along_; }
+  std::int32_t bins() const {
+    std::int32_t bins = 1;
+    for (std::size_t axis = 0; axis < axes_; ++axis) bins *= bins_along_;
     return bins;
   }
-
-  Found operator()(const std::array<double, 3>& position) const {
-    const Layout& layout = tiles_.layout();
-    Found found;
-    for (int axis = layout.dimensions - 1; axis >= 0; --axis) {
-      double x = (position[axis] - origin_[axis]) * inverse_cell_;
-      if (const int period = tiles_.period(axis); period > 0) {
-        x -= period * std::floor(x / period);
-        // Rounding.
-        if (x >= period) x = 0;
-      }
-      const auto i = static_cast<std::int32_t>(std::floor(x));
-      found.tile[axis] = i >> layout.tile_bits;
-      const std::int32_t in_tile = i & (layout.side - 1);
-      found.cell[axis] = in_tile + 1;
-      found.bin = found.bin * bins_along_ + in_tile + (x - i >= 1 - shift_);
-    }
-    return found;
-  }
+  const AxisFinder& along(std::size_t axis) const { return along_[axis]; }
 
  private:
-  const Tiles& tiles_;
-  int bins_along_;
-  double shift_, inverse_cell_;
-  std::array<double, 3> origin_;
+  std::size_t axes_;
+  std::int32_t bins_along_;
+  std::array<AxisFinder, 3> along_{};
 };
 
 /// The tiles that positions are in, and in each the cells of the window that they are in. Takes time and memory
@@ -84,19 +89,16 @@ class FoundTiles {
   };
 
   /// Index of the tile, into places().
-  std::uint32_t add(const PlaceFinder::Found& found) {
-    if (places_.empty() || found.tile != places_[last_].tile) {
-      last_ = known_.emplace(found.tile, static_cast<std::uint32_t>(places_.size())).first->second;
-      if (last_ == places_.size()) places_.push_back({found.tile, {found.cell, found.cell}});
+  std::uint32_t add(const Place& place) {
+    if (places_.empty() || place.tile != places_[last_].tile) {
+      last_ = known_.emplace(place.tile, static_cast<std::uint32_t>(places_.size())).first->second;
+      if (last_ == places_.size()) places_.push_back(place);
     }
-    include(places_[last_].cells, {found.cell, found.cell});
+    include(places_[last_].cells, place.cells);
     return last_;
   }
   void add(const FoundTiles& other) {
-    for (const Place& place : other.places_) {
-      add({place.tile, place.cells.lowest, 0});
-      include(places_[last_].cells, place.cells);
-    }
+    for (const Place& place : other.places_) add(place);
   }
   void put_in_order() { std::sort(places_.begin(), places_.end(), is_before); }
   /// Where each tile is among those of another that has them all and is in order.
@@ -127,6 +129,51 @@ void for_each_share(ThreadPool& pool, std::size_t size, Function&& of) {
   });
 }
 
+/// Some particles, along each axis by itself: a compiler can do that for several at once.
+class FoundParticles {
+ public:
+  static constexpr std::size_t most = 256;
+
+  FoundParticles(const PlaceFinder& find, const BodyParticles& body, std::size_t begin, std::size_t count)
+      : axes_(find.axes()) {
+    std::fill_n(bin, count, 0);
+    const std::int32_t bins_along = find.bins_along();
+    for (std::size_t axis = axes_; axis-- > 0;) {
+      const AxisFinder along = find.along(axis);
+      const double* x = body.component(Attribute::position_x, static_cast<int>(axis)).data() + begin;
+      std::int32_t *tile = tile_[axis], *cell = cell_[axis];
+#pragma GCC ivdep
+      for (std::size_t i = 0; i < count; ++i) {
+        const AxisFinder::Found found = along(x[i]);
+        tile[i] = found.tile;
+        cell[i] = found.cell;
+        bin[i] = bin[i] * bins_along + found.bin;
+      }
+    }
+  }
+
+  /// Where those end that are in the same tile as one of them, and the cells that they are in.
+  std::size_t end_of_tile(std::size_t begin, std::size_t count, FoundTiles::Place& place) const {
+    std::size_t end = begin + 1;
+    const auto same = [&](std::size_t axis) { return tile_[axis][end] == tile_[axis][begin]; };
+    while (end < count && same(0) && (axes_ < 2 || same(1)) && (axes_ < 3 || same(2))) ++end;
+    place = {};
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
+      const auto [lowest, highest] = std::minmax_element(cell_[axis] + begin, cell_[axis] + end);
+      place.tile[axis] = tile_[axis][begin];
+      place.cells.lowest[axis] = *lowest;
+      place.cells.highest[axis] = *highest;
+    }
+    return end;
+  }
+
+  std::int32_t bin[most];
+
+ private:
+  std::size_t axes_;
+  std::int32_t tile_[3][most], cell_[3][most];
+};
+
 /// The bin of every particle of a body: the bins of a tile are one after the other, and so are the tiles.
 struct Places {
   std::size_t bins_of_tile;
@@ -137,15 +184,18 @@ struct Places {
       : bin(body.size()) {
     const PlaceFinder find(grid, grid_tiles, staggered);
     const auto bins = static_cast<std::uint32_t>(find.bins());
-    const int axes = grid_tiles.layout().dimensions;
     std::vector<FoundTiles> found(static_cast<std::size_t>(pool.size()));
     for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t begin, std::size_t end) {
       FoundTiles mine;
-      std::array<double, 3> position{};
-      for (std::size_t slot = begin; slot < end; ++slot) {
-        for (int axis = 0; axis < axes; ++axis) position[axis] = body.component(Attribute::position_x, axis)[slot];
-        const PlaceFinder::Found place = find(position);
-        bin[slot] = mine.add(place) * bins + static_cast<std::uint32_t>(place.bin);
+      for (; begin < end; begin += FoundParticles::most) {
+        const std::size_t count = std::min(FoundParticles::most, end - begin);
+        const FoundParticles particles(find, body, begin, count);
+        FoundTiles::Place place;
+        for (std::size_t i = 0; i < count;) {
+          const std::size_t end_of_tile = particles.end_of_tile(i, count, place);
+          const std::uint32_t tile = mine.add(place);
+          for (; i < end_of_tile; ++i) bin[begin + i] = tile * bins + static_cast<std::uint32_t>(particles.bin[i]);
+        }
       }
       found[thread] = std::move(mine);
     });
@@ -245,7 +295,16 @@ std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles)
   std::map<std::uint32_t, FoundTiles> by_field;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     FoundTiles& found = by_field[model.contacts.field_of.empty() ? 0 : model.contacts.field_of[b]];
-    model.bodies[b].lattice.for_each_point([&](std::int64_t, Vector at) { found.add(find({at.x, at.y, at.z})); });
+    model.bodies[b].lattice.for_each_point([&](std::int64_t, Vector at) {
+      const double position[] = {at.x, at.y, at.z};
+      FoundTiles::Place place;
+      for (std::size_t axis = 0; axis < find.axes(); ++axis) {
+        const AxisFinder::Found along = find.along(axis)(position[axis]);
+        place.tile[axis] = along.tile;
+        place.cells.lowest[axis] = place.cells.highest[axis] = along.cell;
+      }
+      found.add(place);
+    });
   }
   std::vector<OccupiedTile> occupied;
   for (const auto& [field, found] : by_field)
