@@ -297,15 +297,15 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
   // Forces spread from where loads act; to look now and then finds them before half of the run is over.
   looks_for_unborne_forces_ =
       std::has_single_bit(static_cast<std::uint64_t>(times.step)) && has_kinks_at_rest(model_);
-  if (by_wave_ && !rehearsal_) {
+  if (by_wave_ && !rehearsal_)
     finish([&](std::size_t tile, std::size_t thread) { kick_tile(tile, thread, light_node); });
-  } else {
+  else
     finish();
-    if (!rehearsal_) kick_nodes(light_node);
-  }
+  // Not before: what has been noted goes on to the end of the step before. Contact asks how far this one goes.
   sweep_.kick = times.kick();
   sweep_.step = times.step;
   sweep_.drift = times.drift;
+  if (!by_wave_ && !rehearsal_) kick_nodes(light_node);
   if (unborne_forces_)
     diverge(
         "particles at a body's surface lie exactly on faces of cells: nodes beyond them have a share of their "
