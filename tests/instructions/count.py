@@ -54,8 +54,9 @@ SHARES = [
     ("outputs/probes", "outputs/samples", 0.01, "two probes with a sample every ten steps"),
     # At a sample velocities catch up with positions: less than another step.
     ("outputs/samples", "outputs/none", 0.08, "a sample every ten steps"),
-    # What is collected for it; another thread stores it, which would add as much as the steps themselves.
-    ("outputs/snapshots", "outputs/samples", 0.35, "a snapshot every ten steps"),
+    # What is collected for it, 140 instructions per particle; another thread stores it, which would add as much as the
+    # steps themselves.
+    ("outputs/snapshots", "outputs/samples", 0.36, "a snapshot every ten steps"),
 ]
 
 
