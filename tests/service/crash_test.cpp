@@ -123,7 +123,7 @@ v1::Scene pulled(const std::string& analysis) {
   v1::Scene scene = bar();
   const double length = scene.analysis().end_time();
   // Long enough to be killed: a level of a relaxation takes many steps. Snapshots are at every fourth part.
-  const int quarter = analysis == "relaxation" ? 50 : 200;
+  const int quarter = analysis == "relaxation" ? 50 : 300;
   const int levels = 4 * std::max(3, static_cast<int>(quarter / slowness()));
   scene.mutable_bodies(0)->clear_initial_velocity();
   scene.mutable_boundaries(0)->mutable_fixed()->clear_axes();
