@@ -50,6 +50,15 @@ void forget_loads(NodeSums& sums, int axes) {
   for (int axis = 0; axis < axes; ++axis) std::ranges::fill(sums.values[quantity(sum_load, axis, axes)], 0.0);
 }
 
+/// In another tile.
+void place(Block& block, const Tile& tile, const Layout& layout) {
+  for (int axis = 0; axis < layout.dimensions; ++axis) {
+    block.window_first[axis] = layout.side * static_cast<double>(tile.at[axis]) - 1;
+    block.lowest[axis] = tile.cells.lowest[axis];
+    block.highest[axis] = tile.cells.highest[axis];
+  }
+}
+
 /// To other particles of the same body.
 void point_to(Block& block, const BodyParticles& body, const BlockRange& range) {
   block.count = range.count;
@@ -218,17 +227,14 @@ void Executor::run_tile(std::size_t index, const Sweep& sweep, std::size_t threa
   double* sums = tiles_.sums(index);
   std::fill_n(sums + sweep.first_sum * window_nodes, sweep.sums * window_nodes, 0.0);
   Block& block = blocks_[thread];
-  place(block, tile);
-  block.sums = sums;
+  place(block, tile, transfer_.layout);
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
     const BlockRange& range = tiles_.blocks()[b];
-    const BodyParticles& body = bodies_[range.body];
-    if (block.body != &body.constants) {
+    if (block.body == &bodies_[range.body].constants)
+      point_to(block, bodies_[range.body], range);
+    else
       block = make_block(tile, range, *scratch_[thread]);
-      block.sums = sums;
-    } else {
-      point_to(block, body, range);
-    }
+    block.sums = sums;
     for (Stage stage : sweep.stages[range.body]) stage(block);
   }
 }
@@ -240,16 +246,8 @@ Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& s
   block.body = &body.constants;
   block.sweep = &sweep_;
   block.scratch = &scratch;
-  place(block, tile);
+  place(block, tile, transfer_.layout);
   return block;
-}
-
-void Executor::place(Block& block, const Tile& tile) const {
-  for (int axis = 0; axis < axes_; ++axis) {
-    block.window_first[axis] = transfer_.layout.side * static_cast<double>(tile.at[axis]) - 1;
-    block.lowest[axis] = tile.cells.lowest[axis];
-    block.highest[axis] = tile.cells.highest[axis];
-  }
 }
 
 /// Turns a formula that fails into divergence.

@@ -101,7 +101,6 @@ class Executor {
   Trouble sweep_tiles(const Sweep& sweep, const NodeWork& work);
   void run_tile(std::size_t tile, const Sweep& sweep, std::size_t thread);
   Block make_block(const Tile& tile, const BlockRange& range, Scratch& scratch) const;
-  void place(Block& block, const Tile& tile) const;
   template <class Of>
   void or_diverge(Of&& of);
   NodeBlock node_block(std::size_t tile, std::size_t thread);
@@ -114,6 +113,7 @@ class Executor {
   void project(const Projection& projection, double light_mass);
   void check(const Trouble& trouble) const;
   std::int64_t worst_particle() const;
+
   const Model& model_;
   bool rehearsal_;
   int axes_;  ///< of the grid
