@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/transfers/masks.h"
 #include "solver/transfers/stencil.h"
 
 namespace trajan {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/transfers/intrinsics.h"
+#include "solver/transfers/masks.h"
 #include "solver/transfers/real.h"
 
 namespace trajan {

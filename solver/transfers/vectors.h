@@ -31,7 +31,7 @@ __attribute__((always_inline)) inline auto converted(Value value) {
     return static_cast<Number>(value);
   } else {
     constexpr std::size_t count = sizeof value / sizeof value[0];
-    return __builtin_convertvector(value, typename VectorOf<Number, count>::Type);
+    return converted_vector<typename VectorOf<Number, count>::Type>(value);
   }
 }
 template <class Vector, class Number>

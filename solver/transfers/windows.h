@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/executors/tiles.h"
+#include "solver/transfers/masks.h"
 #include "solver/transfers/real.h"
 #include "solver/transfers/vectors.h"
 
@@ -29,11 +30,8 @@ template <Layout L>
 __attribute__((always_inline)) inline TileRow<L> add_row(const double* left, const double* middle,
                                                          const double* right, TileRow<L> sum) {
   constexpr int side = L.side;
-  TileRow<L> outer{};
-#pragma GCC unroll 4
-  for (int i = 0; i < L.above; ++i) outer[i] = left[L.below + side + i];
-#pragma GCC unroll 4
-  for (int i = 0; i < L.below; ++i) outer[side - L.below + i] += right[i];
+  const TileRow<L> outer = load_lanes<TileRow<L>, 0, L.above>(left + L.below + side) +
+                           load_lanes<TileRow<L>, side - L.below, side>(right - (side - L.below));
   return sum + load<TileRow<L>>(middle + L.below) + outer;
 }
 
@@ -94,11 +92,14 @@ inline void load_window(Scratch& scratch, const Neighbours& nodes, unsigned mask
         if constexpr (D > 1) at += y.row * L.tile_stride(1);
         if constexpr (D > 2) at += z.row * L.tile_stride(2);
         for (int i = 0; i < L.below; ++i) to[i] = Real(from[0][at + side - L.below + i]);
-        if constexpr (D > 1)
+        if constexpr (D > 1) {
           store(to + L.below, load<TileRow<L>>(from[1] + at));
-        else
+          // Too many, of which the next row or what a window has to spare gets the last.
+          store(to + L.below + side, load<VectorOf<double, 4>::Type>(from[2] + at));
+        } else {
           for (int i = 0; i < side; ++i) to[L.below + i] = Real(from[1][at + i]);
-        for (int i = 0; i < L.above; ++i) to[L.below + side + i] = Real(from[2][at + i]);
+          for (int i = 0; i < L.above; ++i) to[L.below + side + i] = Real(from[2][at + i]);
+        }
       }
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/transfers/masks.h"
 #include "solver/transfers/vectors.h"
 
 /// What names instructions against what it says in plain code.
@@ -47,6 +48,36 @@ TYPED_TEST(LanesFromOne, GetTheNumberAndNoOthers) {
     const TypeParam some = LanesFrom<TypeParam>(first).put(&number, spread<TypeParam>(Real{3}));
     for (int i = 0; i < lanes; ++i) EXPECT_EQ(some[i], i < first ? Real{3} : number) << first << ' ' << i;
   }
+}
+
+template <class Vector, int first, int end>
+void expect_lanes() {
+  // Nothing but these may be read.
+  std::vector<double> numbers;
+  for (int lane = first; lane < end; ++lane) numbers.push_back(lane + 0.5);
+  const Vector lanes = load_lanes<Vector, first, end>(numbers.data() - first);
+  for (int lane = 0; lane < static_cast<int>(sizeof lanes / sizeof lanes[0]); ++lane)
+    EXPECT_EQ(lanes[lane], lane < first || lane >= end ? 0 : lane + 0.5) << first << ' ' << end << ' ' << lane;
+}
+
+TEST(LoadLanes, ReadsTheseAlone) {
+  using Rows4 = VectorOf<double, 4>::Type;
+  using Rows8 = VectorOf<double, 8>::Type;
+  expect_lanes<Rows4, 0, 2>();
+  expect_lanes<Rows4, 0, 3>();
+  expect_lanes<Rows4, 2, 4>();
+  expect_lanes<Rows4, 3, 4>();
+  expect_lanes<Rows8, 0, 2>();
+  expect_lanes<Rows8, 0, 3>();
+  expect_lanes<Rows8, 6, 8>();
+  expect_lanes<Rows8, 7, 8>();
+}
+
+TEST(Converted, KeepsFloatsInTheirLanes) {
+  const VectorOf<float, 4>::Type four{1, 2.5F, -3, 4};
+  const VectorOf<float, 8>::Type eight{1, 2.5F, -3, 4, 5, 6, 7, -0.125F};
+  for (int lane = 0; lane < 4; ++lane) EXPECT_EQ(converted<double>(four)[lane], four[lane]) << lane;
+  for (int lane = 0; lane < 8; ++lane) EXPECT_EQ(converted<double>(eight)[lane], eight[lane]) << lane;
 }
 
 TEST(FindChanges, FindsTheFirstOfEveryRunOfEqualValuesWhateverTheirNumber) {

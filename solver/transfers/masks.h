@@ -1,0 +1,98 @@
+#pragma once
+
+#include "solver/transfers/intrinsics.h"
+
+/// Some lanes of vectors.
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+namespace intrinsics {
+/// Lanes without a bit are zero, and what would be in them is not read.
+#ifdef __AVX2__
+__attribute__((always_inline)) inline void load_masked(const double* from, long long mask, __m256d& into) {
+  const auto bit = [mask](int lane) { return -(mask >> lane & 1); };
+  into = _mm256_maskload_pd(from, _mm256_setr_epi64x(bit(0), bit(1), bit(2), bit(3)));
+}
+#endif
+#ifdef __AVX512F__
+__attribute__((always_inline)) inline void load_masked(const double* from, long long mask, __m512d& into) {
+  into = _mm512_maskz_loadu_pd(static_cast<__mmask8>(mask), from);
+}
+#endif
+void load_masked();  // so that the name is there
+}  // namespace intrinsics
+
+/// from[first] .. from[end - 1] in the lanes that they have in a vector that begins at `from`, zeros in the
+/// others. One instruction instead of one or two a lane: in space with linear functions and floats what nodes
+/// collect takes 12 instead of 17 % of a step.
+template <class Vector, int first, int end>
+__attribute__((always_inline)) inline Vector load_lanes(const double* from) {
+  Vector lanes{};
+  if constexpr (requires { intrinsics::load_masked(from, 0, lanes); }) {
+    intrinsics::load_masked(from, (1LL << end) - (1LL << first), lanes);
+  } else {
+#pragma GCC unroll 8
+    for (int lane = first; lane < end; ++lane) lanes[lane] = from[lane];
+  }
+  return lanes;
+}
+
+/// The lanes of a vector from one on.
+template <class Vector>
+struct LanesFrom {
+  using Index = std::conditional_t<sizeof(std::declval<Vector&>()[0]) == 8, std::int64_t, std::int32_t>;
+  static constexpr int lanes = sizeof(Vector) / sizeof(Index);
+  typedef Index Indices __attribute__((vector_size(sizeof(Vector))));
+
+  explicit LanesFrom(int first = 0) {
+#pragma GCC unroll 16
+    for (int lane = 0; lane < lanes; ++lane) mask[lane] = lane >= first ? -1 : 0;
+  }
+  /// Puts a number in these lanes.
+  template <class Number>
+  __attribute__((always_inline)) Vector put(const Number* number, Vector into) const {
+    return mask ? *number - Vector{} : into;
+  }
+
+  Indices mask;
+};
+#ifdef __AVX512F__
+template <class Vector>
+requires(sizeof(Vector) == 64) struct LanesFrom<Vector> {
+  explicit LanesFrom(int first = 0) : mask(static_cast<__mmask16>(0xFFFF << first)) {}
+  __attribute__((always_inline)) Vector put(const double* number, __m512d into) const {
+    return _mm512_mask_broadcastsd_pd(into, static_cast<__mmask8>(mask), _mm_load_sd(number));
+  }
+  __attribute__((always_inline)) Vector put(const float* number, __m512 into) const {
+    return _mm512_mask_broadcastss_ps(into, mask, _mm_load_ss(number));
+  }
+
+  __mmask16 mask;
+};
+#endif
+
+/// Writes the indices i in 1 .. count - 1 with values[i] != values[i - 1], in order, and returns how many there
+/// are. Without a branch that depends on the values, and with room for 16 indices more.
+inline int find_changes(const std::int32_t* values, int count, std::int32_t* out) {
+  int found = 0;
+#ifdef __AVX512F__
+  __m512i index = _mm512_setr_epi32(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
+  for (int i = 1; i < count; i += 16, index = _mm512_add_epi32(index, _mm512_set1_epi32(16))) {
+    const auto there = static_cast<__mmask16>(count - i < 16 ? (1 << (count - i)) - 1 : 0xFFFF);
+    const __m512i before = _mm512_maskz_loadu_epi32(there, values + i - 1);
+    const __mmask16 changed =
+        _mm512_mask_cmpneq_epi32_mask(there, _mm512_maskz_loadu_epi32(there, values + i), before);
+    _mm512_storeu_si512(out + found, _mm512_maskz_compress_epi32(changed, index));
+    found += __builtin_popcount(changed);
+  }
+#else
+  for (int i = 1; i < count; ++i) {
+    out[found] = i;
+    found += values[i] != values[i - 1];
+  }
+#endif
+  return found;
+}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan
