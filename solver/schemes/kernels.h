@@ -70,7 +70,8 @@ struct NodeBlock {
 /// What affine transfers need: velocities that vary linearly about their particle. Not of all shape functions.
 struct AffineKernels {
   Stage find_levers = nullptr;
-  Stage begin = nullptr;  ///< makes of the gradient of initial velocities what particles carry
+  Stage locate_values = nullptr;  ///< without slopes, if levers do not need them
+  Stage begin = nullptr;          ///< makes of the gradient of initial velocities what particles carry
   /// As of other transfers, with the momentum of velocities that vary.
   Stage scatter_state = nullptr, scatter_momentum = nullptr;
   Stage gather = nullptr;  ///< the grid's velocity, and what particles carry of it
@@ -80,11 +81,11 @@ struct AffineKernels {
 /// What depends on the shape functions and the dimension.
 struct TransferKernels {
   Layout layout;
-  int window_copies;       ///< arrays that a window needs for one quantity
   int stencil_size;        ///< numbers that a block needs for weights that are no products
   bool needs_deformation;  ///< particles must know their deformation gradient
   bool staggered;          ///< stencils change in the middle of cells
   Stage locate;
+  Stage locate_values;  ///< without slopes
   Stage scatter_state;  ///< mass, momentum and internal force
   Stage scatter_hoop;   ///< axisymmetric: the hoop stress's force
   Stage scatter_loads, scatter_mass, scatter_momentum;
@@ -100,9 +101,6 @@ struct TransferKernels {
   Stage remap;                               ///< the nodes' remainder to the particles, and its momentum back
   void (*reduce_remainder)(NodeBlock&);      ///< by what the particles have brought back
   const TransferKernels* general = nullptr;  ///< these are but for FLIP, those are for all transfers
-
-  /// Numbers of a window for one quantity.
-  int window_size() const { return window_copies * layout.window_nodes; }
 };
 
 /// Between particles that are floats and laws that know doubles alone. None where particles are doubles.

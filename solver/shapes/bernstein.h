@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/shapes/whole_part.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -17,7 +18,7 @@ struct Bernstein {
   static constexpr bool needs_deformation = false;
 
   /// Windows begin two nodes before their tile, and tiles at even nodes.
-  static constexpr int first_node(double at) { return 2 * static_cast<int>(0.5 * at); }
+  static constexpr double first_node(double at) { return 2 * whole_part(0.5 * at); }
   static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {
     const Real s = p / 2, r = 1 - s;
     weight[0] = r * r;

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/shapes/whole_part.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -17,7 +18,7 @@ struct Cpdi {
   static constexpr bool wide = true;
   static constexpr bool needs_deformation = true;
 
-  static constexpr int first_node(double at) { return static_cast<int>(at) - 1; }
+  static constexpr double first_node(double at) { return whole_part(at) - 1; }
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/shapes/particle_domain.h"
+#include "solver/shapes/whole_part.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -16,12 +17,23 @@ struct Cpgimp {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = true;
 
-  static constexpr int first_node(double at) { return static_cast<int>(at) - 1; }
+  static constexpr double first_node(double at) { return whole_part(at) - 1; }
   /// Domains wider than two cells are taken as two cells wide, hardly any width as a fiftieth.
+  /// p is between 1 and 2: the outer nodes are not within the domain.
   static void weigh(Real p, Real half_size, Real (&weight)[4], Real (&slope)[4]) {
     const Real size = half_size < 0 ? -half_size : half_size;
     const Real bounded = size < Real(0.01) ? Real(0.01) : size > 1 ? 1 : size;
-    average_hats(p, bounded, weight, slope);
+    const Real factor = Real(0.5) / bounded;
+    const AveragedHat first = average_outer_hat(p, bounded, factor), second = average_hat(p - 1, bounded, factor),
+                      last = average_outer_hat(3 - p, bounded, factor);
+    weight[0] = first.weight;
+    weight[1] = second.weight;
+    weight[2] = 1 - (first.weight + second.weight + last.weight);
+    weight[3] = last.weight;
+    slope[0] = first.slope;
+    slope[1] = second.slope;
+    slope[2] = last.slope - (first.slope + second.slope);
+    slope[3] = -last.slope;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/shapes/particle_domain.h"
+#include "solver/shapes/whole_part.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -15,9 +16,18 @@ struct Gimp {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
 
-  static constexpr int first_node(double at) { return static_cast<int>(at - 0.5); }
+  static constexpr double first_node(double at) { return whole_part(at - 0.5); }
+  /// p is between 1/2 and 3/2: only the middle node may be within the domain.
   static void weigh(Real p, Real half_size, Real (&weight)[3], Real (&slope)[3]) {
-    average_hats(p, half_size < Real(0.5) ? half_size : Real(0.5), weight, slope);
+    const Real bounded = half_size < Real(0.5) ? half_size : Real(0.5), factor = Real(0.5) / bounded;
+    const AveragedHat first = average_outer_hat(p, bounded, factor),
+                      last = average_outer_hat(2 - p, bounded, factor);
+    weight[0] = first.weight;
+    weight[1] = 1 - (first.weight + last.weight);
+    weight[2] = last.weight;
+    slope[0] = first.slope;
+    slope[1] = last.slope - first.slope;
+    slope[2] = -last.slope;
   }
 };
 

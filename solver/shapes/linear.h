@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/shapes/whole_part.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -15,7 +16,7 @@ struct Linear {
   static constexpr bool folds = false;
   static constexpr bool needs_deformation = false;
 
-  static constexpr int first_node(double at) { return static_cast<int>(at); }
+  static constexpr double first_node(double at) { return whole_part(at); }
   static void weigh(Real p, Real, Real (&weight)[2], Real (&slope)[2]) {
     weight[0] = 1 - p;
     weight[1] = p;

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/shapes/whole_part.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
@@ -14,8 +15,10 @@ struct QuadraticBspline {
   static constexpr bool wide = true;
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
+  /// sum w_I (x_I - x_p)^2 away from faces, in squared cells (Jiang et al. 2015).
+  static constexpr Real inertia = Real(1) / 4;
 
-  static constexpr int first_node(double at) { return static_cast<int>(at - 0.5); }
+  static constexpr double first_node(double at) { return whole_part(at - 0.5); }
   /// p is between 1/2 and 3/2.
   static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {
     const Real below = Real(1.5) - p, middle = p - 1, above = p - Real(0.5);

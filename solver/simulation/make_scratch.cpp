@@ -12,7 +12,7 @@ std::unique_ptr<TransferScratch<Number>> make(const Model& model, const Transfer
   const Transfer& kind = *find_transfer(model.numerics.transfer);
   const int axes = grid_axes(model.dimension);
   auto scratch = std::make_unique<TransferScratch<Number>>();
-  scratch->prepare(static_cast<std::size_t>(quantities(kind.node_vectors, axes) * transfer.window_size()),
+  scratch->prepare(static_cast<std::size_t>(quantities(kind.node_vectors, axes) * transfer.layout.window_nodes),
                    static_cast<std::size_t>(transfer.stencil_size),
                    kind.affine ? static_cast<std::size_t>(axes) : 0);
   return scratch;

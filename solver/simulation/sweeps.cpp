@@ -32,6 +32,11 @@ bool is_of_transfer(Pass pass) {
          pass == scatter_momentum || pass == scatter_motion;
 }
 
+bool needs_slopes(Pass pass) {
+  using enum Pass;
+  return pass == begin || pass == scatter_state || pass == gather_gradient || pass == gather_motion;
+}
+
 struct NamedStage {
   Stage stage;
   const char* name;
@@ -66,7 +71,7 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
     case Pass::begin:
       return transfer.begin.stages;
     case Pass::locate:
-      return {transfer_.locate};
+      return {};
     case Pass::force:
       if (body.narrow && body.law->in_floats.force) return {body.law->in_floats.force};
       return present({exchange.widen_state, body.law->force, exchange.narrow_force});
@@ -138,6 +143,14 @@ bool Sweeps::relocates(Pass pass) const {
   return pass == Pass::move || (deforms && transfer_.needs_deformation);
 }
 
+Stage Sweeps::locating(std::span<const Pass> next) const {
+  for (Pass pass : next) {
+    if (needs_slopes(pass)) return transfer_.locate;
+    if (relocates(pass)) break;
+  }
+  return kind_.affine ? transfer_.affine.locate_values : transfer_.locate_values;
+}
+
 Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>& bodies) {
   for (const auto& known : sweeps_)
     if (std::ranges::equal(known->passes, passes)) return *known;
@@ -158,8 +171,10 @@ Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>
     // Not twice in one place: by TLMPM in a plane 4.5 -> 3.4 ns per particle and step. What the transfer finds
     // there besides only before its own passes: by a profile of APIC in a plane 2 ns less.
     bool located = false, found = false;
-    for (Pass pass : passes) {
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+      const Pass pass = passes[k];
       if (pass == Pass::locate && located) continue;
+      if (pass == Pass::locate) stages.push_back(locating(passes.subspan(k + 1)));
       if (is_of_transfer(pass) && !found) {
         for (Stage stage : transfer_passes_.locate.stages) stages.push_back(stage);
         found = true;
@@ -185,6 +200,8 @@ std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t ind
                                       stage))
     return std::string(of_law) + " (" + std::string(law) + ")";
   const char* name = name_among({{transfer_.locate, "locate"},
+                                 {transfer_.locate_values, "locate, values alone"},
+                                 {affine.locate_values, "locate, values alone"},
                                  {transfer_.scatter_state, "scatter mass, momentum, force"},
                                  {transfer_.scatter_hoop, "scatter hoop force"},
                                  {transfer_.scatter_loads, "scatter loads"},

@@ -40,6 +40,8 @@ class Sweeps {
   std::vector<Stage> stages_of(Pass pass, const BodyParticles& body, std::size_t index) const;
   std::vector<Stage> deform_stages(const BodyParticles& body, std::size_t index) const;
   Stage sharing(std::size_t body) const;
+  /// What finds the shape functions at a particle before these passes.
+  Stage locating(std::span<const Pass> next) const;
   /// Whether shape functions at a particle are others after a pass.
   bool relocates(Pass pass) const;
   /// Bits of the node vectors that a pass gathers.

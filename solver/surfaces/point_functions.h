@@ -9,11 +9,11 @@ inline constexpr int most_nodes_along = 4;
 
 /// What shape functions are at a place of a surface, along one axis and in cells.
 struct PointFunctions {
-  int nodes;                  ///< along an axis
-  double lowest, highest;     ///< from the first node: where one polynomial holds
-  bool folds;                 ///< beyond a face of the domain there are no functions
-  bool averaged;              ///< particles see means over their domains, which end at the surface
-  int (*first_node)(double);  ///< of a place in a window, counted from the window's first node
+  int nodes;                     ///< along an axis
+  double lowest, highest;        ///< from the first node: where one polynomial holds
+  bool folds;                    ///< beyond a face of the domain there are no functions
+  bool averaged;                 ///< particles see means over their domains, which end at the surface
+  double (*first_node)(double);  ///< of a place in a window, counted from the window's first node
   void (*weigh)(double place, double* weight, double* slope);  ///< at a place from the first node
 };
 

@@ -154,7 +154,7 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
     const double highest = tile.cells.highest[axis] + layout.below - 1e-9;
     const double reach = of == Of::force && functions_.averaged ? body.constants.half_size[axis] : 0;
     const double inner = carrier + std::clamp(point - carrier, -reach, reach) + component(inward_[p], axis);
-    int node = functions_.first_node(std::max(lowest, std::min(inner, highest)));
+    int node = static_cast<int>(functions_.first_node(std::max(lowest, std::min(inner, highest))));
     const auto cells = static_cast<double>(model_.grid.cells()[static_cast<std::size_t>(axis)]);
     if (to_faces && period == 0) node = SplineFaces{-first, cells - first}.inside(node, functions_);
     stencil.of_carrier[axis] = carrier - node;

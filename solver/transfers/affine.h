@@ -17,8 +17,9 @@ __attribute__((always_inline)) inline Real* affine(const Block& block, int a, in
 }
 
 /// The gradient of velocities that vary linearly becomes B = gradient D.
-template <int D>
+template <class Shape, int D>
 inline void begin_affine(Block& block) {
+  find_levers<Shape, D>(block);
   const Real square = Real(block.sweep->cell * block.sweep->cell);
   for (int a = 0; a < D; ++a)
     for (int b = 0; b < D; ++b)
@@ -26,85 +27,85 @@ inline void begin_affine(Block& block) {
         affine(block, a, b)[i] *= square * scratch_of(block).levers[b].inertia[i];
 }
 
-/// A row's momentum of a particle whose velocity varies linearly. Slopes are levers.
-template <int D>
-struct AffineVelocity {
-  template <class Row>
-  __attribute__((always_inline)) static Row add_momentum(const Block& block, int axis, int i, Row m,
-                                                         const Row* levers, Row sum) {
-    sum = UniformVelocity::add_momentum(block, axis, i, m, levers, sum);
-#pragma GCC unroll 3
-    for (int b = 0; b < D; ++b)
-      sum = multiply_add(levers[b], spread<Row>(scratch_of(block).levers[b].moment[axis].values[i]), sum);
-    return sum;
-  }
-};
-
-/// Mass times B, over the cell size, to the levers' moments, for AffineVelocity.
-template <int D>
-inline void weigh_affine(Block& block) {
-  const double inverse_cell = block.sweep->inverse_cell;
+/// B times a factor to the levers' moments.
+template <int D, class Factor>
+__attribute__((always_inline)) inline void weigh_affine(Block& block, Factor&& factor) {
   for (int a = 0; a < D; ++a)
     for (int b = 0; b < D; ++b) {
       const Real* of_particles = affine(block, a, b);
       Real* moment = scratch_of(block).levers[b].moment[a].values;
 #pragma GCC ivdep
-      for (int i = 0; i < block.count; ++i) moment[i] = Real(block.mass(i) * inverse_cell) * of_particles[i];
+      for (int i = 0; i < block.count; ++i) moment[i] = factor(i) * of_particles[i];
     }
 }
 
+/// A row's momentum of a particle whose velocity varies linearly, by levers, which slopes are.
+template <class Row, int D>
+struct LeveredVelocity {
+  static void prepare(Block& block) {
+    const double inverse_cell = block.sweep->inverse_cell;
+    weigh_affine<D>(block, [&](int i) { return Real(block.mass(i) * inverse_cell); });
+  }
+  __attribute__((always_inline)) LeveredVelocity(const Block& block, int i) : uniform(block, i) {}
+  __attribute__((always_inline)) Row add_momentum(int axis, int row, Row m, const Row* levers, Row sum) const {
+    sum = uniform.add_momentum(axis, row, m, levers, sum);
+#pragma GCC unroll 3
+    for (int b = 0; b < D; ++b)
+      sum = multiply_add(levers[b],
+                         spread<Row>(scratch_of(uniform.block).levers[b].moment[axis].values[uniform.i]), sum);
+    return sum;
+  }
+  UniformVelocity<Row> uniform;
+};
+
 /// Momentum of velocities that vary goes with that of the particles' own, where weights and sums are at hand: in a
 /// plane by quadratic B-splines, by profiles, 4 ns less per particle and step than by itself.
-template <class Stencil, Layout L>
+template <class Stencil, Layout L, class Velocity>
 inline void scatter_affine_state(Block& block) {
-  weigh_affine<L.dimensions>(block);
-  scatter_state<Stencil, L, AffineVelocity<L.dimensions>>(block);
+  Velocity::prepare(block);
+  scatter_state<Stencil, L, Velocity>(block);
 }
-template <class Stencil, Layout L>
+template <class Stencil, Layout L, class Velocity>
 inline void scatter_affine_momentum(Block& block) {
-  weigh_affine<L.dimensions>(block);
-  scatter_momentum<Stencil, L, AffineVelocity<L.dimensions>>(block);
+  Velocity::prepare(block);
+  scatter_momentum<Stencil, L, Velocity>(block);
 }
 
-/// What B is of a vector of the nodes goes to the levers, per the cell size and D; the vector to `out`.
-template <class Stencil, Layout L>
-__attribute__((always_inline)) inline void gather_moments(Block& block, NodeVector vector, RealArray* out) {
-  std::vector<Levers<Real>>& levers = scratch_of(block).levers;
+/// What B is of a vector of the nodes goes to the levers' moments, per cell size and Slopes::inertia; the vector
+/// to `out`. Then put(component that particles carry, that of the vector) for each of their components.
+template <int Nodes, Layout L, class Slopes, class Put>
+__attribute__((always_inline)) inline void gather_moments(Block& block, NodeVector vector, RealArray* out,
+                                                          Put&& put) {
+  constexpr int D = L.dimensions;
+  const RealScratch& s = scratch_of(block);
   const auto keep = [&](int i, int a, const auto& sums) __attribute__((always_inline)) {
     store(out[a].values + i, sums[0]);
-    for (int b = 0; b < L.dimensions; ++b) store(levers[b].moment[a].values + i, sums[1 + b]);
+    for (int b = 0; b < D; ++b) store(scratch_of(block).levers[b].moment[a].values + i, sums[1 + b]);
   };
-  gather<Stencil, L>(block, Gathered{vector, keep});
+  gather<ProductStencil<Nodes, L, Slopes>, L>(block, Gathered{vector, keep});
+  const Real cell = Real(block.sweep->cell);
+  for (int ab = 0; ab < D * D; ++ab) {
+    Real* of_particles = affine(block, ab / D, ab % D);
+    const Real* moment = s.levers[ab % D].moment[ab / D].values;
+#pragma GCC ivdep
+    for (int i = 0; i < block.count; ++i)
+      of_particles[i] = put(of_particles[i], cell * Slopes::inertia(s, ab % D, i) * moment[i]);
+  }
 }
 
 /// The grid's velocity, and B of it.
-template <class Stencil, Layout L>
+template <int Nodes, Layout L, class Slopes>
 inline void gather_affine(Block& block) {
-  constexpr int D = L.dimensions;
-  const RealScratch& s = scratch_of(block);
-  const Real cell = Real(block.sweep->cell);
-  gather_moments<Stencil, L>(block, node_velocity, scratch_of(block).velocity);
-  for (int ab = 0; ab < D * D; ++ab) {
-    Real* b = affine(block, ab / D, ab % D);
-    const Real *moment = s.levers[ab % D].moment[ab / D].values, *inertia = s.levers[ab % D].inertia.values;
-#pragma GCC ivdep
-    for (int i = 0; i < block.count; ++i) b[i] = cell * inertia[i] * moment[i];
-  }
+  gather_moments<Nodes, L, Slopes>(block, node_velocity, scratch_of(block).velocity,
+                                   [](Real, Real now) { return now; });
 }
 
 /// The grid's acceleration, and B += dt sum w_I a_I (x_I - x_p)^T.
-template <class Stencil, Layout L>
+template <int Nodes, Layout L, class Slopes>
 inline void kick_affine(Block& block) {
-  constexpr int D = L.dimensions;
-  const RealScratch& s = scratch_of(block);
-  const Real cell = Real(block.sweep->cell), dt = Real(block.sweep->kick);
-  gather_moments<Stencil, L>(block, node_acceleration, scratch_of(block).acceleration);
-  for (int ab = 0; ab < D * D; ++ab) {
-    Real* b = affine(block, ab / D, ab % D);
-    const Real *moment = s.levers[ab % D].moment[ab / D].values, *inertia = s.levers[ab % D].inertia.values;
-#pragma GCC ivdep
-    for (int i = 0; i < block.count; ++i) b[i] += dt * (cell * inertia[i] * moment[i]);
-  }
+  const Real dt = Real(block.sweep->kick);
+  gather_moments<Nodes, L, Slopes>(block, node_acceleration, scratch_of(block).acceleration,
+                                   [dt](Real before, Real change) { return before + dt * change; });
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -126,7 +126,8 @@ inline void locate_corners(Block& block) {
 }
 template <class Shape, Layout L>
 inline constexpr TransferKernels corner_kernels_of = [] {
-  TransferKernels kernels = transfer_kernels<Shape, L, CornerStencil<L>, &locate_corners<Shape, L>>;
+  TransferKernels kernels =
+      transfer_kernels<Shape, L, CornerStencil<L>, &locate_corners<Shape, L>, &locate_corners<Shape, L>>;
   kernels.stencil_size = block_size * corner_table(L.dimensions);
   return kernels;
 }();

@@ -48,7 +48,7 @@ struct ProductLanes {
 #pragma GCC unroll 4
       for (int n = 0; n < Nodes; ++n) {
         weight[axis][n] = load<Lanes>(s.weight[axis][n].values + first);
-        slope[axis][n] = load<Lanes>(Slopes::along(s, axis)[n].values + first);
+        slope[axis][n] = Slopes::lanes(s, axis, n, first);
       }
   }
 

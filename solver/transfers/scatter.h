@@ -7,16 +7,28 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// A row's momentum of a particle that has the same velocity everywhere. `m`: weights times mass.
+template <class Row>
 struct UniformVelocity {
-  template <class Row>
-  __attribute__((always_inline)) static Row add_momentum(const Block& block, int axis, int i, Row m, const Row*,
-                                                         Row sum) {
+  __attribute__((always_inline)) UniformVelocity(const Block& of, int particle) : block(of), i(particle) {}
+  __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
     return multiply_add(m, spread<Row>(component_of(block, Attribute::velocity_x, axis)[i]), sum);
   }
+  const Block& block;
+  int i;
+};
+/// The same of another vector.
+template <class Row>
+struct UniformVector {
+  __attribute__((always_inline)) UniformVector(const RealArray* of, int particle) : values(of), i(particle) {}
+  __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
+    return multiply_add(m, spread<Row>(values[axis].values[i]), sum);
+  }
+  const RealArray* values;
+  int i;
 };
 
 /// Mass, momentum and internal force. Slopes are those of the shape functions, then what the velocity needs.
-template <class Stencil, Layout L, class Velocity = UniformVelocity>
+template <class Stencil, Layout L, class Velocity = UniformVelocity<typename Stencil::Row>>
 inline void scatter_state(Block& block) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
@@ -26,13 +38,14 @@ inline void scatter_state(Block& block) {
   scatter_rows<Stencil, quantities(2, D)>(
       block,
       [&](int i) __attribute__((always_inline)) {
-        return [&, i ](Row w, const Row* slope, Row* sums) __attribute__((always_inline)) {
+        return [&, i, velocity = Velocity(block, i) ](int row, Row w, const Row* slope, Row* sums)
+            __attribute__((always_inline)) {
           const Row m = w * Real(block.mass(i));
           sums[quantity_mass] += m;
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) {
             Row& momentum = sums[quantity(sum_momentum, a, D)];
-            momentum = Velocity::add_momentum(block, a, i, m, slope + D, momentum);
+            momentum = velocity.add_momentum(a, row, m, slope + D, momentum);
             Row& resistance = sums[quantity(sum_force, a, D)];
 #pragma GCC unroll 3
             for (int b = 0; b < D; ++b)
@@ -50,24 +63,25 @@ inline void scatter_mass(Block& block) {
   using Row = typename Stencil::Row;
   scatter<Stencil, L, 1>(
       block, quantity_mass, [&](int i) __attribute__((always_inline)) {
-        return [&, i ](Row w, const Row*, Row* sums) __attribute__((always_inline)) {
+        return [&, i ](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) {
           *sums += w * Real(block.mass(i));
         };
       });
 }
 
-/// A vector times mass: add(axis, i, weights times mass, slopes, sum) gives the sum with what particle i adds.
-template <class Stencil, Layout L, class AddProduct>
-__attribute__((always_inline)) inline void scatter_products(Block& block, SumVector vector,
-                                                            AddProduct&& add_product) {
+/// A vector times mass: Velocity(of, i).add_momentum(axis, row, weights times mass, slopes, sum) gives the sum
+/// with what particle i adds.
+template <class Stencil, Layout L, class Velocity, class Of>
+__attribute__((always_inline)) inline void scatter_products(Block& block, SumVector vector, const Of& of) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
   scatter<Stencil, L, D>(
       block, quantity(vector, 0, D), [&](int i) __attribute__((always_inline)) {
-        return [&, i ](Row w, const Row* slopes, Row* sums) __attribute__((always_inline)) {
+        return [&, i, velocity = Velocity(of, i) ](int row, Row w, const Row* slopes, Row* sums)
+            __attribute__((always_inline)) {
           const Row m = w * Real(block.mass(i));
 #pragma GCC unroll 3
-          for (int a = 0; a < D; ++a) sums[a] = add_product(a, i, m, slopes, sums[a]);
+          for (int a = 0; a < D; ++a) sums[a] = velocity.add_momentum(a, row, m, slopes, sums[a]);
         };
       });
 }
@@ -75,21 +89,13 @@ __attribute__((always_inline)) inline void scatter_products(Block& block, SumVec
 /// A vector that particles of mass m have, times m.
 template <class Stencil, Layout L>
 inline void scatter_vector(Block& block, SumVector vector, const RealArray* values) {
-  using Row = typename Stencil::Row;
-  scatter_products<Stencil, L>(
-      block, vector, [values](int a, int i, Row m, const Row*, Row sum) __attribute__((always_inline)) {
-        return multiply_add(m, spread<Row>(values[a].values[i]), sum);
-      });
+  scatter_products<Stencil, L, UniformVector<typename Stencil::Row>>(block, vector, values);
 }
 
 /// Momentum alone, for the second mapping of MUSL.
-template <class Stencil, Layout L, class Velocity = UniformVelocity>
+template <class Stencil, Layout L, class Velocity = UniformVelocity<typename Stencil::Row>>
 inline void scatter_momentum(Block& block) {
-  using Row = typename Stencil::Row;
-  scatter_products<Stencil, L>(
-      block, sum_momentum, [&](int a, int i, Row m, const Row* slopes, Row sum) __attribute__((always_inline)) {
-        return Velocity::add_momentum(block, a, i, m, slopes, sum);
-      });
+  scatter_products<Stencil, L, Velocity>(block, sum_momentum, block);
 }
 
 /// Loads on the particles' mass.
@@ -108,7 +114,7 @@ inline void scatter_hoop(Block& block) {
   scatter<Stencil, L, 1>(
       block, quantity(sum_force, 0, L.dimensions), [&](int i) __attribute__((always_inline)) {
         const Real force = Real(s.virial_rest[i] / radius[i]);
-        return [force](Row w, const Row*, Row* sums) __attribute__((always_inline)) { *sums -= w * force; };
+        return [force](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) { *sums -= w * force; };
       });
 }
 

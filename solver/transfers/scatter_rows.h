@@ -7,8 +7,8 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// Adds what particles give to their nodes. give(i) is a function that adds what particle i gives to a row of
-/// nodes, of (weights, slopes[D], sums of the row). The sums of a run stay in registers until the nodes change;
-/// then add(which, index of the row's first node, sum) is called for each.
+/// nodes, of (which row, weights, slopes[D], sums of the row). The sums of a run stay in registers until the nodes
+/// change; then add(which, index of the row's first node, sum) is called for each.
 template <class Stencil, int Sums, class Give, class Add>
 __attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& give, Add&& add_sum) {
   using Row = typename Stencil::Row;
@@ -19,8 +19,10 @@ __attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& giv
         for (int i = begin; i < end; ++i) {
           const auto give_row = give(i);
           int row = 0;
-          Stencil(s, i).for_each_row([&](int, Row w, const Row* slopes)
-                                         __attribute__((always_inline)) { give_row(w, slopes, of_run[row++]); });
+          Stencil(s, i).for_each_row([&](int, Row w, const Row* slopes) __attribute__((always_inline)) {
+            give_row(row, w, slopes, of_run[row]);
+            ++row;
+          });
         }
         int row = 0;
         Stencil(s, begin).for_each_row([&](int at, Row, const Row*) __attribute__((always_inline)) {

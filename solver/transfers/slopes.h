@@ -1,16 +1,34 @@
 #pragma once
 
 #include "solver/transfers/real.h"
+#include "solver/transfers/vectors.h"
 
-/// Where a stencil finds the factors of its slopes.
+/// Where stencils find the factors of their slopes: `along` of one particle's nodes, `lanes` of several
+/// particles'.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-struct ShapeSlopes {
+template <class Kind>
+struct StoredSlopes {
+  static Lanes lanes(const RealScratch& s, int axis, int node, int first) {
+    return load<Lanes>(Kind::along(s, axis)[node].values + first);
+  }
+};
+struct ShapeSlopes : StoredSlopes<ShapeSlopes> {
   static const RealArray* along(const RealScratch& s, int axis) { return s.slope[axis]; }
 };
-struct LeverSlopes {
+struct LeverSlopes : StoredSlopes<LeverSlopes> {
   static const RealArray* along(const RealScratch& s, int axis) { return s.levers[axis].lever; }
+  /// D over what levers are multiplied by.
+  static Real inertia(const RealScratch& s, int axis, int i) { return s.levers[axis].inertia[i]; }
+};
+/// Weights times the distances of nodes, in cells: levers times D, where that is the same everywhere.
+struct WeighedDistances {
+  static Lanes lanes(const RealScratch& s, int axis, int node, int first) {
+    return load<Lanes>(s.weight[axis][node].values + first) *
+           (Real(node) - load<Lanes>(s.place[axis].values + first));
+  }
+  static Real inertia(const RealScratch&, int, int) { return 1; }
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -7,33 +7,47 @@
 #include "solver/transfers/locate.h"
 #include "solver/transfers/node_updates.h"
 #include "solver/transfers/projection.h"
+#include "solver/transfers/regular_affine.h"
 #include "solver/transfers/scatter.h"
 
 /// The table of one kind of shape functions.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
+template <class Shape, Layout L>
+inline constexpr AffineKernels levered_kernels = [] {
+  constexpr int D = L.dimensions, nodes = Shape::nodes;
+  using Levers = ProductStencil<nodes, L, LeverSlopes>;
+  using Both = ProductStencil<nodes, L, ShapeSlopes, LeverSlopes>;
+  using Velocity = LeveredVelocity<typename Levers::Row, D>;
+  return AffineKernels{&find_levers<Shape, D>,
+                       &locate<Shape, L>,
+                       &begin_affine<Shape, D>,
+                       &scatter_affine_state<Both, L, Velocity>,
+                       &scatter_affine_momentum<Levers, L, Velocity>,
+                       &gather_affine<nodes, L, LeverSlopes>,
+                       &kick_affine<nodes, L, LeverSlopes>};
+}();
+
 /// Levers are products like the shape functions, so that they need those to be.
 template <class Shape, Layout L, class Stencil>
 constexpr AffineKernels affine_kernels() {
-  if constexpr (std::is_same_v<Stencil, ProductStencil<Shape::nodes, L, ShapeSlopes>>) {
-    using Levers = ProductStencil<Shape::nodes, L, LeverSlopes>;
-    using Both = ProductStencil<Shape::nodes, L, ShapeSlopes, LeverSlopes>;
-    return {&find_levers<Shape, L.dimensions>,   &begin_affine<L.dimensions>, &scatter_affine_state<Both, L>,
-            &scatter_affine_momentum<Levers, L>, &gather_affine<Levers, L>,   &kick_affine<Levers, L>};
-  } else {
+  if constexpr (!std::is_same_v<Stencil, ProductStencil<Shape::nodes, L, ShapeSlopes>>)
     return {};
-  }
+  else if constexpr (Regular<Shape>)
+    return regular_affine_kernels<Shape, L, Stencil, levered_kernels<Shape, L>>();
+  else
+    return levered_kernels<Shape, L>;
 }
 
 template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L, ShapeSlopes>,
-          Stage Locate = &locate<Shape, L>>
+          Stage Locate = &locate<Shape, L>, Stage LocateValues = &locate<Shape, L, Shape::nodes == 2>>
 inline constexpr TransferKernels transfer_kernels{L,
-                                                  1,
                                                   0,
                                                   Shape::needs_deformation,
                                                   Shape::first_node(3.25) != Shape::first_node(3.75),
                                                   Locate,
+                                                  LocateValues,
                                                   &scatter_state<Stencil, L>,
                                                   &scatter_hoop<Stencil, L>,
                                                   &scatter_loads<Stencil, L>,

@@ -58,7 +58,7 @@ class TileOfParticles {
     fill();
     forget_results();
     scratch.cell[0] = 0;
-    scratch.prepare(static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.window_size()),
+    scratch.prepare(static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.layout.window_nodes),
                     static_cast<std::size_t>(kernels.stencil_size), 0);
     sums.assign(static_cast<std::size_t>(quantities(sum_vectors, axes) * layout.window_nodes), 0.0);
     block.count = count;
