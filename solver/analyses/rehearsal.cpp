@@ -98,7 +98,7 @@ PlannedTiles plan_tiles(const Model& model, const Executor& executor, ModelPlan&
   ThreadPool alone(1);
   TileLoop loop(alone);
   loop.bind(bare);
-  return {bare.memory(), meet, loop.windows(bare).count};
+  return {bare.memory(), meet, loop.plan_waves(bare).count};
 }
 
 void plan_grid(const Model& model, const Executor& executor, ModelPlan& plan) {

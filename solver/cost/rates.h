@@ -13,8 +13,9 @@ namespace trajan {
 /// (solver/cost/run_time.h) and whoever measures rates (solver/cost/measure_rates.h) name them by these functions.
 using Rates = std::map<std::string, double>;
 
-/// To be raised when rates come, go or mean something else, so that machines are measured anew.
-constexpr int rates_version = 2;
+/// To be raised when rates come, go or mean something else, or steps have become faster, so that machines are
+/// measured anew.
+constexpr int rates_version = 3;
 
 /// An explicit step with transfer FLIP and an elastic law in rate form: each "step", each of its "tile"s (see
 /// `weighted_tiles`) and "particle"s.

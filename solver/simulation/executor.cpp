@@ -143,7 +143,7 @@ void Executor::bind() {
   collected_.resize(in_one_pass() ? scratch_.size() : tiles);
   loop_.bind(tiles_);
   if (by_wave_)
-    tiles_.make_windows(loop_.windows(tiles_));
+    tiles_.make_windows(loop_.plan_waves(tiles_));
   else
     tiles_.make_windows();
   blocks_.assign(scratch_.size(), {});

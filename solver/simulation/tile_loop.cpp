@@ -11,8 +11,7 @@ std::size_t index_of(const Tile& tile, const Tiles& tiles) {
 
 }  // namespace
 
-void TileLoop::bind(const Tiles& tiles) {
-  shares_ = tiles.shares(pool_.size());
+void TileLoop::find_when_ready(const Tiles& tiles) {
   ready_after_.resize(tiles.tiles().size());
   waits_.assign(tiles.tiles().size(), 0);
   for (std::size_t thread = 0; thread + 1 < shares_.size(); ++thread) {
@@ -29,7 +28,8 @@ void TileLoop::bind(const Tiles& tiles) {
   }
 }
 
-WindowsOfTiles TileLoop::windows(const Tiles& tiles) const {
+WindowsOfTiles TileLoop::plan_waves(const Tiles& tiles) {
+  find_when_ready(tiles);
   WindowsOfTiles windows{std::vector<std::int32_t>(tiles.tiles().size(), -1), 0};
   const auto window_of = [&](std::size_t tile) -> std::int32_t& { return windows.of_tile[tile]; };
   // How many updates still read the window of a tile.

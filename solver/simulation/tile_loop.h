@@ -14,7 +14,9 @@ class TileLoop {
  public:
   explicit TileLoop(ThreadPool& pool) : pool_(pool), shares_(static_cast<std::size_t>(pool.size()) + 1, 0) {}
   /// After tiles were rebuilt.
-  void bind(const Tiles& tiles);
+  void bind(const Tiles& tiles) { shares_ = tiles.shares(pool_.size()); }
+  /// For `by_wave`, after `bind`. Returns windows for it, of tiles that have one: as many as can share the same.
+  WindowsOfTiles plan_waves(const Tiles& tiles);
 
   /// Calls of(tile, thread).
   template <class Of>
@@ -36,10 +38,9 @@ class TileLoop {
       if (waits_[tile]) then(tile, thread);
     });
   }
-  /// Windows for that, of tiles that have one: as many as can share the same.
-  WindowsOfTiles windows(const Tiles& tiles) const;
 
  private:
+  void find_when_ready(const Tiles& tiles);
   /// Of one thread, but for tiles that have to wait for other threads.
   template <class First, class Then>
   void roll(std::size_t thread, First&& first, Then&& then) const {
