@@ -196,9 +196,10 @@ TEST_P(Transfers, DoTheSameNearFacesIfTheyAreAffine) {
     return velocities(simulation, axes);
   };
   const auto away = at_the_end();
-  // Two cells from the faces no function is another one, but blocks are thought to reach them.
-  scene.domain.lower = along_axes(dimension, -1.5, -1, -0.75);
-  scene.domain.upper = along_axes(dimension, 1.5, 1, 0.75);
+  // Two cells from the faces no function is another one, but blocks are thought to reach them. Elements of two
+  // cells begin where they did.
+  scene.domain.lower = along_axes(dimension, -1.5, -1, -1);
+  scene.domain.upper = along_axes(dimension, 1.5, 1, 1);
   const auto near = at_the_end();
   ASSERT_EQ(near.size(), away.size());
   // Some ten steps, in each of which a velocity of up to 5 is the quotient of sums of at most 64 terms, there and
