@@ -19,8 +19,9 @@ const TransferKernels* transfer(std::string_view name, Dimension dimension) {
 
 template <int D>
 constexpr MotionKernels motion{
-    &find_loads<D>,     &kick<D>,    &kick_and_blend<D>,   &move<D>,          &displace<D>,
-    &measure_motion<D>, &account<D>, &calm_light_nodes<D>, &take_velocity<D>, law_exchange<Real, D>()};
+    &find_loads<D>,         &kick<D>,    &kick_and_blend<D>,   &move<D>,          &displace<D>,
+    &measure_motion<D>,     &account<D>, &calm_light_nodes<D>, &take_velocity<D>, &own_velocity<D>,
+    law_exchange<Real, D>()};
 
 }  // namespace
 

@@ -122,6 +122,7 @@ struct MotionKernels {
   void (*account)(NodeBlock&);
   void (*calm_light_nodes)(NodeBlock&);
   Stage take_velocity;  ///< that which has been gathered
+  Stage own_velocity;   ///< the particle's, as if it had been gathered
   LawExchangeKernels law_exchange;
 };
 

@@ -89,10 +89,13 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
     case Pass::scatter_motion:
       return joined({{transfer_.scatter_mass}, transfer.scatter_momentum.stages});
     case Pass::gather_velocity:
-      return {transfer_.gather_velocity};
+      return {transfer.takes_grid_velocity ? motion_.own_velocity : transfer_.gather_velocity};
     case Pass::gather_gradient:
       return joined({{transfer_.gather_gradient}, only_if(hoop, {transfer_.gather_hoop})});
     case Pass::gather_motion:
+      if (transfer.takes_grid_velocity)
+        return joined(
+            {stages_of(Pass::gather_gradient, body, index), stages_of(Pass::gather_velocity, body, index)});
       return joined({{transfer_.gather_motion}, only_if(hoop, {transfer_.gather_hoop})});
     case Pass::move:
       return {motion_.move};
@@ -128,11 +131,11 @@ unsigned Sweeps::gathered(Pass pass) const {
     case Pass::remap:
       return 1u << node_remainder;
     case Pass::gather_velocity:
-      return 1u << node_velocity;
+      return transfer_passes_.takes_grid_velocity ? 0 : 1u << node_velocity;
     case Pass::gather_gradient:
       return 1u << node_mapped_velocity;
     case Pass::gather_motion:
-      return 1u << node_velocity | 1u << node_mapped_velocity;
+      return gathered(Pass::gather_velocity) | gathered(Pass::gather_gradient);
     default:
       return 0;
   }
@@ -226,6 +229,7 @@ std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t ind
                                  {motion_.move, "move"},
                                  {motion_.displace, "displace"},
                                  {motion_.take_velocity, "take velocity"},
+                                 {motion_.own_velocity, "own velocity"},
                                  {motion_.law_exchange.widen_state, "widen"},
                                  {motion_.law_exchange.widen_gradient, "widen gradient"},
                                  {motion_.law_exchange.narrow_state, "narrow"},

@@ -22,6 +22,7 @@ struct Apic {
     passes.scatter_state = {affine.scatter_state};
     passes.scatter_momentum = {affine.scatter_momentum};
     passes.update_velocity = {{affine.gather, motion.take_velocity}, {node_velocity}};
+    passes.takes_grid_velocity = true;
     passes.kick = {{affine.kick, motion.kick}, {node_acceleration}};
     return passes;
   }

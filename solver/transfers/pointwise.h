@@ -46,6 +46,17 @@ inline void take_velocity(Block& block) {
   }
 }
 
+/// The other way round.
+template <int D>
+inline void own_velocity(Block& block) {
+  for (int axis = 0; axis < D; ++axis) {
+    const Real* v = component_of(block, Attribute::velocity_x, axis);
+    Real* u = scratch_of(block).velocity[axis].data();
+#pragma GCC ivdep
+    for (int i = 0; i < block.count; ++i) u[i] = v[i];
+  }
+}
+
 /// Advances a vector of positions or displacements by the grid's velocity. `origin` is what it counts from,
 /// nullptr: positions themselves.
 inline void advance_along(Block& block, int axis, double* x, const double* origin) {

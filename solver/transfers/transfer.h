@@ -31,6 +31,8 @@ struct TransferPasses {
   TransferPass begin;   ///< once, with the gradient of initial velocities in place of what particles carry of it
   TransferPass locate;  ///< besides what the shape functions do
   TransferPass scatter_state, scatter_momentum, update_velocity;
+  /// Whether update_velocity leaves particles with the grid's velocity, so that nothing needs to gather it again.
+  bool takes_grid_velocity = false;
   TransferPass kick;                ///< half a one, of particles alone, at a sample
   Projection projection;            ///< after a kick of the nodes
   Projection projection_at_sample;  ///< likewise at a sample
