@@ -25,11 +25,11 @@ std::vector<Stage> present(std::initializer_list<Stage> stages) {
 void take_half(Block& block) { block.scratch->deform_share = 0.5; }
 void take_whole(Block& block) { block.scratch->deform_share = 1; }
 
-/// Whether the transfer says what a pass does.
+/// Whether a pass needs what the transfer finds where particles are.
 bool is_of_transfer(Pass pass) {
   using enum Pass;
-  return pass == begin || pass == scatter_state || pass == update_velocity || pass == kick ||
-         pass == scatter_momentum || pass == scatter_motion;
+  return pass == scatter_state || pass == update_velocity || pass == kick || pass == scatter_momentum ||
+         pass == scatter_motion;
 }
 
 bool needs_slopes(Pass pass) {
@@ -71,7 +71,7 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
     case Pass::begin:
       return transfer.begin.stages;
     case Pass::locate:
-      return {};
+      return {};  // see `locating`
     case Pass::force:
       if (body.narrow && body.law->in_floats.force) return {body.law->in_floats.force};
       return present({exchange.widen_state, body.law->force, exchange.narrow_force});

@@ -27,24 +27,19 @@ inline void begin_affine(Block& block) {
         affine(block, a, b)[i] *= square * scratch_of(block).levers[b].inertia[i];
 }
 
-/// B times a factor to the levers' moments.
-template <int D, class Factor>
-__attribute__((always_inline)) inline void weigh_affine(Block& block, Factor&& factor) {
-  for (int a = 0; a < D; ++a)
-    for (int b = 0; b < D; ++b) {
-      const Real* of_particles = affine(block, a, b);
-      Real* moment = scratch_of(block).levers[b].moment[a].values;
-#pragma GCC ivdep
-      for (int i = 0; i < block.count; ++i) moment[i] = factor(i) * of_particles[i];
-    }
-}
-
 /// A row's momentum of a particle whose velocity varies linearly, by levers, which slopes are.
 template <class Row, int D>
 struct LeveredVelocity {
+  /// Mass times B, over the cell size, to the levers' moments.
   static void prepare(Block& block) {
     const double inverse_cell = block.sweep->inverse_cell;
-    weigh_affine<D>(block, [&](int i) { return Real(block.mass(i) * inverse_cell); });
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) {
+        const Real* of_particles = affine(block, a, b);
+        Real* moment = scratch_of(block).levers[b].moment[a].values;
+#pragma GCC ivdep
+        for (int i = 0; i < block.count; ++i) moment[i] = Real(block.mass(i) * inverse_cell) * of_particles[i];
+      }
   }
   __attribute__((always_inline)) LeveredVelocity(const Block& block, int i) : uniform(block, i) {}
   __attribute__((always_inline)) Row add_momentum(int axis, int row, Row m, const Row* levers, Row sum) const {
