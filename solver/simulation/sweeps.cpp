@@ -62,9 +62,7 @@ Sweeps::Sweeps(const Model& model, const Transfer& kind, const TransferKernels& 
 
 std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::size_t index) const {
   const bool hoop = model_.dimension == Dimension::axisymmetric;
-  const auto only_if = [](bool wanted, std::vector<Stage> stages) {
-    return wanted ? stages : std::vector<Stage>{};
-  };
+  const auto only_if = [](bool wanted, Stage stage) { return wanted ? stage : nullptr; };
   const TransferPasses& transfer = transfer_passes_;
   const LawExchangeKernels& exchange = motion_.law_exchange;
   switch (pass) {
@@ -76,8 +74,9 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
       if (body.narrow && body.law->in_floats.force) return {body.law->in_floats.force};
       return present({exchange.widen_state, body.law->force, exchange.narrow_force});
     case Pass::scatter_state:
-      return joined({transfer.scatter_state.stages, only_if(hoop, {transfer_.scatter_hoop}),
-                     only_if(loads_, {motion_.find_loads, transfer_.scatter_loads})});
+      return joined({transfer.scatter_state.stages,
+                     present({only_if(hoop, transfer_.scatter_hoop), only_if(loads_, motion_.find_loads),
+                              only_if(loads_, transfer_.scatter_loads)})});
     case Pass::update_velocity:
       return transfer.update_velocity.stages;
     case Pass::kick:
@@ -91,12 +90,12 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
     case Pass::gather_velocity:
       return {transfer.takes_grid_velocity ? motion_.own_velocity : transfer_.gather_velocity};
     case Pass::gather_gradient:
-      return joined({{transfer_.gather_gradient}, only_if(hoop, {transfer_.gather_hoop})});
+      return present({transfer_.gather_gradient, only_if(hoop, transfer_.gather_hoop)});
     case Pass::gather_motion:
       if (transfer.takes_grid_velocity)
         return joined(
             {stages_of(Pass::gather_gradient, body, index), stages_of(Pass::gather_velocity, body, index)});
-      return joined({{transfer_.gather_motion}, only_if(hoop, {transfer_.gather_hoop})});
+      return present({transfer_.gather_motion, only_if(hoop, transfer_.gather_hoop)});
     case Pass::move:
       return {motion_.move};
     case Pass::displace:
