@@ -6,7 +6,8 @@
 namespace trajan {
 
 bool before(const TileIndex& a, const TileIndex& b) {
-  return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
+  const auto key = [](const TileIndex& at) { return std::tuple(at[1] >> 3, at[0] >> 3, at[2], at[1], at[0]); };
+  return key(a) < key(b);
 }
 
 namespace {

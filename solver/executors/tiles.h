@@ -42,7 +42,9 @@ struct WindowsOfTiles {
   std::int32_t count = 0;
 };
 
-/// Row by row, plane by plane.
+/// Row by row and plane by plane within towers of 8 x 8 tiles, one tower after the other: what the tiles around
+/// one hold stays in the cache while it is needed. In space, for 4 million particles 56 -> 49.5 ns per particle
+/// and step with linear functions.
 bool before(const TileIndex& a, const TileIndex& b);
 
 using Neighbours = std::array<const double*, most_neighbours>;
@@ -115,8 +117,8 @@ class Tiles {
   std::size_t memory() const;
 
  private:
-  std::size_t node_size() const { return static_cast<std::size_t>(node_quantities_ * tile_nodes); }
-  std::size_t window_size() const { return static_cast<std::size_t>(sum_quantities_ * layout_.window_nodes); }
+  std::size_t node_size() const { return static_cast<std::size_t>(node_quantities_) * tile_nodes; }
+  std::size_t window_size() const { return static_cast<std::size_t>(sum_quantities_) * layout_.window_nodes; }
   std::size_t window(const Tile& tile) const { return static_cast<std::size_t>(tile.window) * window_size(); }
   void add_reached(const OccupiedTile& tile);
   void add_originals(const OccupiedTile& tile);

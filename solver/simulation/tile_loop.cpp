@@ -12,19 +12,20 @@ std::size_t index_of(const Tile& tile, const Tiles& tiles) {
 }  // namespace
 
 void TileLoop::find_when_ready(const Tiles& tiles) {
-  ready_after_.resize(tiles.tiles().size());
   waits_.assign(tiles.tiles().size(), 0);
-  for (std::size_t thread = 0; thread + 1 < shares_.size(); ++thread) {
+  for (std::size_t thread = 0; thread < ready_.size(); ++thread) {
     const std::size_t begin = shares_[thread], end = shares_[thread + 1];
-    std::size_t last = begin;
+    ready_[thread].clear();
     for (std::size_t tile = begin; tile < end; ++tile) {
+      std::size_t last = tile;
       tiles.for_each_around(tiles.tiles()[tile], [&](const Tile& around) {
         const std::size_t other = index_of(around, tiles);
         if (other < begin || other >= end) waits_[tile] = 1;
-        last = std::max(last, std::min(other, end - 1));
+        last = std::max(last, other);
       });
-      ready_after_[tile] = last;
+      if (!waits_[tile]) ready_[thread].push_back({last, tile});
     }
+    std::ranges::sort(ready_[thread]);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,7 +13,11 @@ namespace trajan {
 /// Does something to all tiles on the threads of a pool, each of which has a contiguous share of them.
 class TileLoop {
  public:
-  explicit TileLoop(ThreadPool& pool) : pool_(pool), shares_(static_cast<std::size_t>(pool.size()) + 1, 0) {}
+  /// Of no tiles.
+  explicit TileLoop(ThreadPool& pool)
+      : pool_(pool),
+        shares_(static_cast<std::size_t>(pool.size()) + 1, 0),
+        ready_(static_cast<std::size_t>(pool.size())) {}
   /// After tiles were rebuilt.
   void bind(const Tiles& tiles) { shares_ = tiles.shares(pool_.size()); }
   /// For `by_wave`, after `bind`. Returns windows for it, of tiles that have one: as many as can share the same.
@@ -44,18 +49,23 @@ class TileLoop {
   /// Of one thread, but for tiles that have to wait for other threads.
   template <class First, class Then>
   void roll(std::size_t thread, First&& first, Then&& then) const {
-    std::size_t next = shares_[thread];
-    for (std::size_t tile = next; tile < shares_[thread + 1]; ++tile) {
+    auto next = ready_[thread].begin();
+    for (std::size_t tile = shares_[thread]; tile < shares_[thread + 1]; ++tile) {
       first(tile, thread);
-      for (; next < shares_[thread + 1] && ready_after_[next] <= tile; ++next)
-        if (!waits_[next]) then(next, thread);
+      for (; next != ready_[thread].end() && next->after == tile; ++next) then(next->tile, thread);
     }
   }
 
+  /// A tile, and the last one around it.
+  struct Ready {
+    std::size_t after, tile;
+    auto operator<=>(const Ready&) const = default;
+  };
+
   ThreadPool& pool_;
   std::vector<std::size_t> shares_;
-  std::vector<std::size_t> ready_after_;  ///< by tile: the last of its share around it or around one before it
-  std::vector<char> waits_;               ///< by tile: whether some around are of other shares
+  std::vector<std::vector<Ready>> ready_;  ///< by thread, in order: those around which all are of its share
+  std::vector<char> waits_;                ///< by tile: whether it is another
 };
 
 }  // namespace trajan
