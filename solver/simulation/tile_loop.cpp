@@ -25,7 +25,7 @@ void TileLoop::find_when_ready(const Tiles& tiles) {
       });
       if (!waits_[tile]) ready_[thread].push_back({last, tile});
     }
-    std::ranges::sort(ready_[thread]);
+    std::ranges::stable_sort(ready_[thread], {}, &Ready::after);
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -59,7 +58,6 @@ class TileLoop {
   /// A tile, and the last one around it.
   struct Ready {
     std::size_t after, tile;
-    auto operator<=>(const Ready&) const = default;
   };
 
   ThreadPool& pool_;
