@@ -15,12 +15,14 @@ TEST(ThreadPool, CallsATaskOnceOnEachThreadAndWaitsForAll) {
   constexpr std::size_t threads = 3;
   ThreadPool pool(threads);
   std::array<int, threads> calls{}, seen_by_next{};
-  for (int run = 0; run < 3000; ++run) {
-    // Now and then the caller is late, or one of the threads: then those that wait have fallen asleep.
+  for (int run = 0; run < 1000; ++run) {
+    // Now and then the caller is late, or one of the threads: then those that wait have fallen asleep. Where one
+    // is late many times in a row they sleep at once.
+    const bool many = run >= 400 && run < 440;
     if (run % 300 == 0) std::this_thread::sleep_for(milliseconds(3));
     pool.run([&](int thread) {
       const auto t = static_cast<std::size_t>(thread);
-      if (run % 300 == 50 * (thread + 1)) std::this_thread::sleep_for(milliseconds(3));
+      if (run % 300 == 50 * (thread + 1) || (many && thread == 1)) std::this_thread::sleep_for(milliseconds(3));
       ++calls[t];
     });
     pool.run([&](int thread) {
