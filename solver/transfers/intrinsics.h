@@ -10,7 +10,7 @@
 
 #include "solver/executors/instruction_set.h"
 
-/// What compilers do not find by themselves: this file and masks.h are the only places that name instructions.
+/// What compilers do not find by themselves: in kernels this file and masks.h alone name instructions.
 /// Each function says in plain code what it does; where the instruction set has nothing for it, that is what runs.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
