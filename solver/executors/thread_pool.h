@@ -11,8 +11,8 @@ namespace trajan {
 /// How a thread waits. What a step waits for comes within microseconds, and a thread that sleeps wakes up some
 /// tens of them late, on a virtual machine above all; so it asks again and again for a while before it sleeps,
 /// unless that has been in vain of late, as where others want the processors. Two threads take 13 -> 10.2 ns per
-/// particle and step for discs of 10^5 particles, 64 -> 18 for 10^4 and 370 -> 27 for 10^3, on busy processors
-/// about the same.
+/// particle and step for discs of 10^5 particles, 64 -> 18 for 10^4 and 370 -> 27 for 10^3, but 33 -> 40
+/// for 10^4 beside a second such job on the same two processors.
 class Patience {
  public:
   /// Returns once `of`, of which others are told when it changes, is not `same`.
