@@ -16,7 +16,8 @@ void append(Block& block, BlockStencils& out) {
   const RealScratch& scratch = scratch_of(block);
   for (int i = 0; i < block.count; ++i) {
     const std::size_t before = out.nodes.size();
-    Stencil(scratch, i).for_each_row([&](int at, auto weights, const auto* slopes) {
+    const RowParticles<1> particle{i};
+    Stencil(scratch, particle).for_each_row(particle, [&](int at, auto weights, const auto* slopes) {
       for (int lane = 0; lane < lanes; ++lane) {
         bool any = weights[lane] != 0;
         for (int axis = 0; axis < D; ++axis) any = any || slopes[axis][lane] != 0;

@@ -27,8 +27,8 @@ inline void begin_affine(Block& block) {
         affine(block, a, b)[i] *= square * scratch_of(block).levers[b].inertia[i];
 }
 
-/// A row's momentum of a particle whose velocity varies linearly, by levers, which slopes are.
-template <class Row, int D>
+/// Particles whose velocity varies linearly, by levers, which slopes are.
+template <int D>
 struct LeveredVelocity {
   /// Mass times B, over the cell size, to the levers' moments.
   static void prepare(Block& block) {
@@ -41,16 +41,20 @@ struct LeveredVelocity {
         for (int i = 0; i < block.count; ++i) moment[i] = Real(block.mass(i) * inverse_cell) * of_particles[i];
       }
   }
-  __attribute__((always_inline)) LeveredVelocity(const Block& block, int i) : uniform(block, i) {}
-  __attribute__((always_inline)) Row add_momentum(int axis, int row, Row m, const Row* levers, Row sum) const {
-    sum = uniform.add_momentum(axis, row, m, levers, sum);
+  /// A row's momentum.
+  template <class Row, class Particles>
+  struct Of {
+    __attribute__((always_inline)) Row add_momentum(int axis, int row, Row m, const Row* levers, Row sum) const {
+      sum = uniform.add_momentum(axis, row, m, levers, sum);
 #pragma GCC unroll 3
-    for (int b = 0; b < D; ++b)
-      sum = multiply_add(levers[b],
-                         spread<Row>(scratch_of(uniform.block).levers[b].moment[axis].values[uniform.i]), sum);
-    return sum;
-  }
-  UniformVelocity<Row> uniform;
+      for (int b = 0; b < D; ++b) {
+        const Real* moment = scratch_of(uniform.block).levers[b].moment[axis].values;
+        sum = multiply_add(levers[b], uniform.particles.template each<Row>(moment), sum);
+      }
+      return sum;
+    }
+    UniformVelocity::Of<Row, Particles> uniform;
+  };
 };
 
 /// Momentum of velocities that vary goes with that of the particles' own, where weights and sums are at hand: in a

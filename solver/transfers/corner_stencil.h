@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/transfers/row_particles.h"
 #include "solver/transfers/transfer_kernels.h"
 
 /// Shape functions of particles that are parallelepipeds, kept as a table: 4^D weights and as many slopes
@@ -12,15 +13,15 @@ constexpr int corner_table(int axes) { return (1 + axes) << 2 * axes; }
 
 template <Layout L>
 struct CornerStencil {
-  static constexpr int D = L.dimensions, rows = 1 << 2 * (L.dimensions - 1);
+  static constexpr int D = L.dimensions, rows = 1 << 2 * (L.dimensions - 1), together = 1;
   using Row = Four;
 
-  __attribute__((always_inline)) CornerStencil(const RealScratch& s, int i)
-      : table(s.stencils.data() + i * corner_table(D)) {}
+  __attribute__((always_inline)) CornerStencil(const RealScratch& s, RowParticles<1> of)
+      : table(s.stencils.data() + of.first * corner_table(D)) {}
   static constexpr int offset(int lane) { return lane; }
   __attribute__((always_inline)) static void add_row(double* to, Row row) { add(to, row); }
   template <class Function>
-  __attribute__((always_inline)) void for_each_row(Function&& of) const {
+  __attribute__((always_inline)) void for_each_row(RowParticles<1>, Function&& of) const {
     constexpr int quantity_size = 1 << 2 * D;
     for (int row = 0; row < rows; ++row) {
       Row slopes[D];

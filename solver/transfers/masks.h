@@ -56,20 +56,6 @@ struct LanesFrom {
 
   Indices mask;
 };
-#ifdef __AVX512F__
-template <class Vector>
-requires(sizeof(Vector) == 64) struct LanesFrom<Vector> {
-  explicit LanesFrom(int first = 0) : mask(static_cast<__mmask16>(0xFFFF << first)) {}
-  __attribute__((always_inline)) Vector put(const double* number, __m512d into) const {
-    return _mm512_mask_broadcastsd_pd(into, static_cast<__mmask8>(mask), _mm_load_sd(number));
-  }
-  __attribute__((always_inline)) Vector put(const float* number, __m512 into) const {
-    return _mm512_mask_broadcastss_ps(into, mask, _mm_load_ss(number));
-  }
-
-  __mmask16 mask;
-};
-#endif
 
 /// Writes the indices i in 1 .. count - 1 with values[i] != values[i - 1], in order, and returns how many there
 /// are. Without a branch that depends on the values, and with room for 16 indices more.

@@ -20,11 +20,10 @@ inline bool is_regular(const Block& block) {
   return true;
 }
 
-/// A row's momentum of a particle, from its velocity at the stencil's first node and the velocity's gradient,
-/// which is `per_node` of what the particle carries for every node.
-template <class Row, class Shape, int D>
-class LinearVelocity {
- public:
+/// Momentum from the velocity at a stencil's first node and the velocity's gradient, which is `per_node` of what
+/// the particle carries for every node.
+template <class Shape, int D>
+struct LinearVelocity {
   static void prepare(Block& block) {
     const RealScratch& s = scratch_of(block);
     const Real factor = per_node(block);
@@ -45,31 +44,36 @@ class LinearVelocity {
       }
     }
   }
-  __attribute__((always_inline)) LinearVelocity(const Block& block, int i) : per_node_(per_node(block)) {
-    const Row along_x = per_node_ * Row{0, 1, 2, 3};
-#pragma GCC unroll 3
-    for (int a = 0; a < D; ++a) {
-      first_row_[a] = multiply_add(along_x, spread<Row>(affine(block, a, 0)[i]),
-                                   spread<Row>(scratch_of(block).velocity[a].values[i]));
-#pragma GCC unroll 3
-      for (int b = 1; b < D; ++b) moment_[b - 1][a] = spread<Row>(affine(block, a, b)[i]);
-    }
-  }
-  __attribute__((always_inline)) Row add_momentum(int axis, int row, Row m, const Row*, Row sum) const {
-    const int along[] = {row % Shape::nodes, row / Shape::nodes};
-    Row velocity = first_row_[axis];
-#pragma GCC unroll 2
-    for (int b = D - 2; b >= 0; --b)
-      if (along[b] > 0)
-        velocity = multiply_add(spread<Row>(Real(along[b]) * per_node_), moment_[b][axis], velocity);
-    return multiply_add(m, velocity, sum);
-  }
-
- private:
   static Real per_node(const Block& block) { return Real(block.sweep->inverse_cell) / Shape::inertia; }
 
-  Real per_node_;
-  Row first_row_[D], moment_[2][D];
+  /// A row's momentum.
+  template <class Row, class Particles>
+  class Of {
+   public:
+    __attribute__((always_inline)) Of(const Block& block, Particles particles) : per_node_(per_node(block)) {
+      const Row along_x = per_node_ * particles.template node_numbers<Row>();
+#pragma GCC unroll 3
+      for (int a = 0; a < D; ++a) {
+        first_row_[a] = multiply_add(along_x, particles.template each<Row>(affine(block, a, 0)),
+                                     particles.template each<Row>(scratch_of(block).velocity[a].values));
+#pragma GCC unroll 3
+        for (int b = 1; b < D; ++b) moment_[b - 1][a] = particles.template each<Row>(affine(block, a, b));
+      }
+    }
+    __attribute__((always_inline)) Row add_momentum(int axis, int row, Row m, const Row*, Row sum) const {
+      const int along[] = {row % Shape::nodes, row / Shape::nodes};
+      Row velocity = first_row_[axis];
+#pragma GCC unroll 2
+      for (int b = D - 2; b >= 0; --b)
+        if (along[b] > 0)
+          velocity = multiply_add(spread<Row>(Real(along[b]) * per_node_), moment_[b][axis], velocity);
+      return multiply_add(m, velocity, sum);
+    }
+
+   private:
+    Real per_node_;
+    Row first_row_[D], moment_[2][D];
+  };
 };
 
 /// One of two stages, by whether a block is regular.
@@ -83,7 +87,7 @@ inline void find_no_levers(Block&) {}
 template <class Shape, Layout L, class Stencil, const AffineKernels& general>
 constexpr AffineKernels regular_affine_kernels() {
   constexpr int D = L.dimensions, nodes = Shape::nodes;
-  using Velocity = LinearVelocity<typename Stencil::Row, Shape, D>;
+  using Velocity = LinearVelocity<Shape, D>;
   using Slopes = WeighedDistances;
   return {&by_place<Shape, D, &find_no_levers, general.find_levers>,
           &by_place<Shape, D, &locate<Shape, L, false>, general.locate_values>,

@@ -6,29 +6,39 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// A row's momentum of a particle that has the same velocity everywhere. `m`: weights times mass.
-template <class Row>
+/// Particles that have the same velocity everywhere.
 struct UniformVelocity {
-  __attribute__((always_inline)) UniformVelocity(const Block& of, int particle) : block(of), i(particle) {}
-  __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
-    return multiply_add(m, spread<Row>(component_of(block, Attribute::velocity_x, axis)[i]), sum);
-  }
-  const Block& block;
-  int i;
+  /// A row's momentum. `m`: weights times mass.
+  template <class Row, class Particles>
+  struct Of {
+    __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
+      return multiply_add(m, particles.template each<Row>(component_of(block, Attribute::velocity_x, axis)), sum);
+    }
+    const Block& block;
+    Particles particles;
+  };
 };
 /// The same of another vector.
-template <class Row>
 struct UniformVector {
-  __attribute__((always_inline)) UniformVector(const RealArray* of, int particle) : values(of), i(particle) {}
-  __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
-    return multiply_add(m, spread<Row>(values[axis].values[i]), sum);
-  }
-  const RealArray* values;
-  int i;
+  template <class Row, class Particles>
+  struct Of {
+    __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
+      return multiply_add(m, particles.template each<Row>(values[axis].values), sum);
+    }
+    const RealArray* values;
+    Particles particles;
+  };
 };
 
+/// Masses of particles, as a factor of a row.
+template <class Row, class Particles>
+__attribute__((always_inline)) inline auto masses(const Block& block, Particles particles) {
+  return particles.template factor<Row>([&block](int i)
+                                            __attribute__((always_inline)) { return Real(block.mass(i)); });
+}
+
 /// Mass, momentum and internal force. Slopes are those of the shape functions, then what the velocity needs.
-template <class Stencil, Layout L, class Velocity = UniformVelocity<typename Stencil::Row>>
+template <class Stencil, Layout L, class Velocity = UniformVelocity>
 inline void scatter_state(Block& block) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
@@ -37,10 +47,11 @@ inline void scatter_state(Block& block) {
   s.trouble.runs += s.runs;
   scatter_rows<Stencil, quantities(2, D)>(
       block,
-      [&](int i) __attribute__((always_inline)) {
-        return [&, i, velocity = Velocity(block, i) ](int row, Row w, const Row* slope, Row* sums)
-            __attribute__((always_inline)) {
-          const Row m = w * Real(block.mass(i));
+      [&](auto particles) __attribute__((always_inline)) {
+        using VelocityOf = typename Velocity::template Of<Row, decltype(particles)>;
+        return [&, particles, velocity = VelocityOf{block, particles} ](int row, Row w, const Row* slope,
+                                                                        Row* sums) __attribute__((always_inline)) {
+          const Row m = w * masses<Row>(block, particles);
           sums[quantity_mass] += m;
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) {
@@ -49,7 +60,8 @@ inline void scatter_state(Block& block) {
             Row& resistance = sums[quantity(sum_force, a, D)];
 #pragma GCC unroll 3
             for (int b = 0; b < D; ++b)
-              resistance = multiply_add(slope[b], spread<Row>(force[a * D + b][i]), resistance);
+              resistance =
+                  multiply_add(slope[b], particles.template each<Row>(force[a * D + b].values), resistance);
           }
         };
       },
@@ -62,24 +74,25 @@ template <class Stencil, Layout L>
 inline void scatter_mass(Block& block) {
   using Row = typename Stencil::Row;
   scatter<Stencil, L, 1>(
-      block, quantity_mass, [&](int i) __attribute__((always_inline)) {
-        return [&, i ](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) {
-          *sums += w * Real(block.mass(i));
+      block, quantity_mass, [&](auto particles) __attribute__((always_inline)) {
+        return [&, particles ](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) {
+          *sums += w * masses<Row>(block, particles);
         };
       });
 }
 
-/// A vector times mass: Velocity(of, i).add_momentum(axis, row, weights times mass, slopes, sum) gives the sum
-/// with what particle i adds.
+/// A vector times mass: Velocity::Of<Row, Particles>{of, particles}.add_momentum(axis, row, weights times
+/// mass, slopes, sum) gives the sum with what these add.
 template <class Stencil, Layout L, class Velocity, class Of>
 __attribute__((always_inline)) inline void scatter_products(Block& block, SumVector vector, const Of& of) {
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
   scatter<Stencil, L, D>(
-      block, quantity(vector, 0, D), [&](int i) __attribute__((always_inline)) {
-        return [&, i, velocity = Velocity(of, i) ](int row, Row w, const Row* slopes, Row* sums)
+      block, quantity(vector, 0, D), [&](auto particles) __attribute__((always_inline)) {
+        using VelocityOf = typename Velocity::template Of<Row, decltype(particles)>;
+        return [&, particles, velocity = VelocityOf{of, particles} ](int row, Row w, const Row* slopes, Row* sums)
             __attribute__((always_inline)) {
-          const Row m = w * Real(block.mass(i));
+          const Row m = w * masses<Row>(block, particles);
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) sums[a] = velocity.add_momentum(a, row, m, slopes, sums[a]);
         };
@@ -89,11 +102,11 @@ __attribute__((always_inline)) inline void scatter_products(Block& block, SumVec
 /// A vector that particles of mass m have, times m.
 template <class Stencil, Layout L>
 inline void scatter_vector(Block& block, SumVector vector, const RealArray* values) {
-  scatter_products<Stencil, L, UniformVector<typename Stencil::Row>>(block, vector, values);
+  scatter_products<Stencil, L, UniformVector>(block, vector, values);
 }
 
 /// Momentum alone, for the second mapping of MUSL.
-template <class Stencil, Layout L, class Velocity = UniformVelocity<typename Stencil::Row>>
+template <class Stencil, Layout L, class Velocity = UniformVelocity>
 inline void scatter_momentum(Block& block) {
   scatter_products<Stencil, L, Velocity>(block, sum_momentum, block);
 }
@@ -112,8 +125,10 @@ inline void scatter_hoop(Block& block) {
   RealScratch& s = scratch_of(block);
   const double* radius = block[Attribute::position_x];
   scatter<Stencil, L, 1>(
-      block, quantity(sum_force, 0, L.dimensions), [&](int i) __attribute__((always_inline)) {
-        const Real force = Real(s.virial_rest[i] / radius[i]);
+      block, quantity(sum_force, 0, L.dimensions), [&](auto particles) __attribute__((always_inline)) {
+        const auto force = particles.template factor<Row>([&](int i) __attribute__((always_inline)) {
+          return Real(s.virial_rest[i] / radius[i]);
+        });
         return [force](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) { *sums -= w * force; };
       });
 }

@@ -6,7 +6,7 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Adds what particles give to their nodes. give(i) is a function that adds what particle i gives to a row of
+/// Adds what particles give to their nodes. give(RowParticles) is a function that adds what they give to a row of
 /// nodes, of (which row, weights, slopes[D], sums of the row). The sums of a run stay in registers until the nodes
 /// change; then add(which, index of the row's first node, sum) is called for each.
 template <class Stencil, int Sums, class Give, class Add>
@@ -16,20 +16,28 @@ __attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& giv
   for_each_run(
       block, [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
         Row of_run[Stencil::rows][Sums] = {};
-        for (int i = begin; i < end; ++i) {
-          const auto give_row = give(i);
+        const auto give_rows = [&](auto particles) __attribute__((always_inline)) {
+          const auto give_row = give(particles);
           int row = 0;
-          Stencil(s, i).for_each_row([&](int, Row w, const Row* slopes) __attribute__((always_inline)) {
-            give_row(row, w, slopes, of_run[row]);
-            ++row;
-          });
-        }
+          Stencil(s, particles)
+              .for_each_row(
+                  particles, [&](int, Row w, const Row* slopes) __attribute__((always_inline)) {
+                    give_row(row, w, slopes, of_run[row]);
+                    ++row;
+                  });
+        };
+        constexpr int together = Stencil::together;
+        int i = begin;
+        for (; i + together <= end; i += together) give_rows(RowParticles<together>{i});
+        if (together > 1 && i < end) give_rows(RowParticles<together, 1>{i});
+        const RowParticles<together, 1> first{begin};
         int row = 0;
-        Stencil(s, begin).for_each_row([&](int at, Row, const Row*) __attribute__((always_inline)) {
+        Stencil(s, first).for_each_row(
+            first, [&](int at, Row, const Row*) __attribute__((always_inline)) {
 #pragma GCC unroll 7
-          for (int sum = 0; sum < Sums; ++sum) add_sum(sum, node + at, of_run[row][sum]);
-          ++row;
-        });
+              for (int sum = 0; sum < Sums; ++sum) add_sum(sum, node + at, of_run[row][sum]);
+              ++row;
+            });
       });
 }
 

@@ -19,7 +19,7 @@ inline constexpr AffineKernels levered_kernels = [] {
   constexpr int D = L.dimensions, nodes = Shape::nodes;
   using Levers = ProductStencil<nodes, L, LeverSlopes>;
   using Both = ProductStencil<nodes, L, ShapeSlopes, LeverSlopes>;
-  using Velocity = LeveredVelocity<typename Levers::Row, D>;
+  using Velocity = LeveredVelocity<D>;
   return AffineKernels{&find_levers<Shape, D>,
                        &locate<Shape, L>,
                        &begin_affine<Shape, D>,

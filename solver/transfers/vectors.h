@@ -12,12 +12,9 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 typedef Real Pair __attribute__((vector_size(2 * sizeof(Real))));
 typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
-/// As many particles as are handled at once.
-#ifdef __AVX512F__
-typedef Real Lanes __attribute__((vector_size(64)));
-#else
+/// As many particles as are handled at once. Registers of AVX-512 hold twice as many, of which those of one cell
+/// leave more lanes empty: in space by quadratic B-splines 119 -> 132 ns per particle and step (Zen 4).
 typedef Real Lanes __attribute__((vector_size(32)));
-#endif
 
 /// So many numbers.
 template <class Number, std::size_t count>
@@ -29,6 +26,8 @@ template <class Number, class Value>
 __attribute__((always_inline)) inline auto converted(Value value) {
   if constexpr (std::is_arithmetic_v<Value>) {
     return static_cast<Number>(value);
+  } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value[0])>, Number>) {
+    return value;
   } else {
     constexpr std::size_t count = sizeof value / sizeof value[0];
     return converted_vector<typename VectorOf<Number, count>::Type>(value);
@@ -61,6 +60,10 @@ __attribute__((always_inline)) inline Vector spread(Number number) {
 __attribute__((always_inline)) inline const Real* hidden(const Real* p) {
   asm("" : "+r"(p));
   return p;
+}
+/// Of the lanes 0 and 1, 2 and 3, 4 and 5, 6 and 7.
+__attribute__((always_inline)) inline Four sum_of_pairs(Eight v) {
+  return __builtin_shufflevector(v, v, 0, 2, 4, 6) + __builtin_shufflevector(v, v, 1, 3, 5, 7);
 }
 __attribute__((always_inline)) inline Real sum(Pair v) { return v[0] + v[1]; }
 __attribute__((always_inline)) inline Real sum(Four v) { return (v[0] + v[1]) + (v[2] + v[3]); }
