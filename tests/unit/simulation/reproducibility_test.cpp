@@ -77,6 +77,44 @@ TEST_P(Reproduction, GoesOnFromAnyCheckpointWithTheSameBits) {
   }
 }
 
+/// So wide that tiles are not simply row by row, and may be updated in another order than they are given: in a
+/// plane 20 x 10 tiles, in space 19 x 10 x 2.
+Scene slab(Dimension dimension) {
+  Scene scene;
+  scene.name = "slab";
+  scene.domain = {dimension, {0, 0}, {17, 9}, 0.1, 1};
+  scene.materials = {test::material("neo_hookean", 100, 0.3, 1)};
+  scene.bodies = {{"slab", "solid", Box{{0.5, 0.5}, {15.7, 8.3}}, 2, {"sin(x)*cos(2*y)", "0.5*sin(y+x)"}}};
+  if (dimension == Dimension::solid) {
+    scene.domain = {dimension, {0, 0, 0}, {8, 5, 1}, 0.1, 1};
+    scene.bodies = {{"slab",
+                     "solid",
+                     Box{{0.3, 0.3, 0.3}, {7.7, 4.3, 0.5}},
+                     2,
+                     {"sin(x)*cos(2*y)", "0.5*sin(y+x)", "sin(7*x)"}}};
+  }
+  scene.analysis = {0.1, 0.005};
+  scene.outputs.samples = 4;
+  scene.outputs.snapshots = 1;
+  return scene;
+}
+
+class WideBody : public testing::TestWithParam<Dimension> {};
+INSTANTIATE_TEST_SUITE_P(Dimensions, WideBody, testing::Values(Dimension::plane_strain, Dimension::solid));
+
+TEST_P(WideBody, HasTheSameBitsOnAnyNumberOfThreads) {
+  const Model model = validate(slab(GetParam()));
+  test::Memory one;
+  ASSERT_EQ(run(model, {1, 1e9, {}}, one, nullptr).end, RunEnd::finished);
+  for (int threads : {2, 3}) {
+    test::Memory many;
+    ASSERT_EQ(run(model, {threads, 1e9, {}}, many, nullptr).end, RunEnd::finished);
+    EXPECT_EQ(many.rows, one.rows) << threads;
+    EXPECT_EQ(many.snapshots.back().position, one.snapshots.back().position) << threads;
+    EXPECT_EQ(many.snapshots.back().velocity, one.snapshots.back().velocity) << threads;
+  }
+}
+
 TEST(Stopping, EndsTheRunWhenItIsAskedTo) {
   Scene scene = test::discs(0.02);
   scene.analysis.end_time = 1e6;
