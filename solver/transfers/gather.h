@@ -60,16 +60,15 @@ __attribute__((always_inline)) inline void gather(Block& block, const Gathered<P
       const Real* window = s.window.data() + quantity(one.vector, 0, D) * L.window_nodes;
       for (int i = 0; i < block.count; ++i) {
         Row sums[D][1 + D] = {};
+        const auto add_row = [&](int at, Row w, const Row* slope) __attribute__((always_inline)) {
+          for (int a = 0; a < D; ++a) {
+            const Row value = load<Row>(window + a * L.window_nodes + s.cell[i] + at);
+            sums[a][0] += w * value;
+            for (int b = 0; b < D; ++b) sums[a][1 + b] += slope[b] * value;
+          }
+        };
         const RowParticles<1> particle{i};
-        Stencil(s, particle)
-            .for_each_row(
-                particle, [&](int at, Row w, const Row* slope) __attribute__((always_inline)) {
-                  for (int a = 0; a < D; ++a) {
-                    const Row value = load<Row>(window + a * L.window_nodes + s.cell[i] + at);
-                    sums[a][0] += w * value;
-                    for (int b = 0; b < D; ++b) sums[a][1 + b] += slope[b] * value;
-                  }
-                });
+        Stencil(s, particle).for_each_row(particle, add_row);
         for (int a = 0; a < D; ++a) {
           Real of_particle[1 + D];
           for (int b = 0; b <= D; ++b) of_particle[b] = sum(sums[a][b]);

@@ -19,25 +19,25 @@ __attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& giv
         const auto give_rows = [&](auto particles) __attribute__((always_inline)) {
           const auto give_row = give(particles);
           int row = 0;
-          Stencil(s, particles)
-              .for_each_row(
-                  particles, [&](int, Row w, const Row* slopes) __attribute__((always_inline)) {
-                    give_row(row, w, slopes, of_run[row]);
-                    ++row;
-                  });
+          const auto to_row = [&](int, Row w, const Row* slopes) __attribute__((always_inline)) {
+            give_row(row, w, slopes, of_run[row]);
+            ++row;
+          };
+          Stencil(s, particles).for_each_row(particles, to_row);
         };
         constexpr int together = Stencil::together;
         int i = begin;
         for (; i + together <= end; i += together) give_rows(RowParticles<together>{i});
         if (together > 1 && i < end) give_rows(RowParticles<together, 1>{i});
-        const RowParticles<together, 1> first{begin};
+
         int row = 0;
-        Stencil(s, first).for_each_row(
-            first, [&](int at, Row, const Row*) __attribute__((always_inline)) {
+        const auto add_sums = [&](int at, Row, const Row*) __attribute__((always_inline)) {
 #pragma GCC unroll 7
-              for (int sum = 0; sum < Sums; ++sum) add_sum(sum, node + at, of_run[row][sum]);
-              ++row;
-            });
+          for (int sum = 0; sum < Sums; ++sum) add_sum(sum, node + at, of_run[row][sum]);
+          ++row;
+        };
+        const RowParticles<together, 1> first{begin};
+        Stencil(s, first).for_each_row(first, add_sums);
       });
 }
 
