@@ -25,10 +25,11 @@ __attribute__((always_inline)) inline int gather_runs(const RealScratch& s, int 
                                                       const Gathered<Put>&... gathered) {
   constexpr int D = L.dimensions;
   using Particles = typename LanesOf<Stencil>::Type;
+  using Lanes = typename Particles::Lanes;
   const int begin = s.run_begin[run], end = s.run_begin[run + Runs < s.runs ? run + Runs : s.runs];
   if constexpr (Runs > 1)
     if (end - begin > Particles::lanes) return gather_runs<Stencil, L, 1>(s, run, gathered...);
-  const NodesOfRuns<Runs> nodes(s, run, s.window.data());
+  const NodesOfRuns<Lanes, Runs> nodes(s, run, s.window.data());
   for (int i = begin; i < end; i += Particles::lanes) {
     const Particles particles(s, i);
     const auto gather_one = [&](const auto& one) __attribute__((always_inline)) {

@@ -10,6 +10,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 template <class Kind>
 struct StoredSlopes {
+  template <class Lanes>
   static Lanes lanes(const RealScratch& s, int axis, int node, int first) {
     return load<Lanes>(Kind::along(s, axis)[node].values + first);
   }
@@ -24,6 +25,7 @@ struct LeverSlopes : StoredSlopes<LeverSlopes> {
 };
 /// Weights times the distances of nodes, in cells: levers times D, where that is the same everywhere.
 struct WeighedDistances {
+  template <class Lanes>
   static Lanes lanes(const RealScratch& s, int axis, int node, int first) {
     return load<Lanes>(s.weight[axis][node].values + first) *
            (Real(node) - load<Lanes>(s.place[axis].values + first));

@@ -12,9 +12,6 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 typedef Real Pair __attribute__((vector_size(2 * sizeof(Real))));
 typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
-/// As many particles as are handled at once. Registers of AVX-512 hold twice as many, of which those of one cell
-/// leave more lanes empty: in space by quadratic B-splines 119 -> 132 ns per particle and step (Zen 4).
-typedef Real Lanes __attribute__((vector_size(32)));
 
 /// So many numbers.
 template <class Number, std::size_t count>

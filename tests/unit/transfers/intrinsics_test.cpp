@@ -12,7 +12,7 @@ namespace {
 
 template <class Vector>
 class MultiplyAdd : public testing::Test {};
-using Vectors = testing::Types<Pair, Four, Eight, Lanes>;
+using Vectors = testing::Types<Pair, Four, Eight>;
 TYPED_TEST_SUITE(MultiplyAdd, Vectors);
 
 TYPED_TEST(MultiplyAdd, IsTheProductPlusTheTermInEveryLaneRoundedOnceOrTwice) {
