@@ -1,6 +1,5 @@
 #pragma once
 
-#include "solver/transfers/row_particles.h"
 #include "solver/transfers/transfer_kernels.h"
 
 /// Shape functions of particles that are parallelepipeds, kept as a table: 4^D weights and as many slopes

@@ -1,93 +1,9 @@
 #pragma once
 
-#include <type_traits>
-
-#include "solver/transfers/row_particles.h"
-#include "solver/transfers/slopes.h"
-#include "solver/transfers/vectors.h"
+#include "solver/transfers/wide_stencil.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-/// The shape functions of particles that are products along the axes, a row of nodes along x at a time.
-/// Three nodes are a row of four whose last one has no weight. Slopes may be of several kinds. Two particles in
-/// floats are as wide as one in doubles: in space by quadratic B-splines 104 -> 92 ns per particle and step.
-template <int Nodes, Layout L, class... Slopes>
-struct ProductStencil {
-  static constexpr int D = L.dimensions, kinds = sizeof...(Slopes),
-                       rows = D < 2   ? 1
-                              : D < 3 ? Nodes
-                                      : Nodes * Nodes;
-  static constexpr int together = sizeof(double) / sizeof(Real);
-  using Row = std::conditional_t<together == 1, Four, Eight>;
-
-  template <class Particles>
-  __attribute__((always_inline)) ProductStencil(const RealScratch& s, Particles of)
-      : scratch(s),
-        weight_x(of.template row<Row>(s.weight[0], Nodes)),
-        slope_x{of.template row<Row>(Slopes::along(s, 0), Nodes)...} {}
-
-  /// Which node of its row a lane is.
-  static constexpr int offset(int lane) { return lane / together; }
-  __attribute__((always_inline)) static void add_row(double* to, Row row) {
-    add(to, RowParticles<together>::sum(row));
-  }
-
-  /// Calls of(index of the row's first node from the stencil's first one, weights, slopes[D] of each kind) for the
-  /// same particles.
-  template <class Particles, class Function>
-  __attribute__((always_inline)) void for_each_row(Particles particles, Function&& of) const {
-    const auto factor = [particles](const RealArray& values) __attribute__((always_inline)) {
-      return particles.template factor<Row>(values.values);
-    };
-    using Factor = decltype(factor(scratch.weight[0][0]));
-    Row slopes[D * kinds];
-    if constexpr (D == 1) {
-      of(0, weight_x, slope_x);
-    } else if constexpr (D == 2) {
-#pragma GCC unroll 4
-      for (int j = 0; j < Nodes; ++j) {
-        const Factor w = factor(scratch.weight[1][j]);
-        const Factor slope[] = {factor(Slopes::along(scratch, 1)[j])...};
-#pragma GCC unroll 2
-        for (int kind = 0; kind < kinds; ++kind) {
-          slopes[D * kind] = slope_x[kind] * w;
-          slopes[D * kind + 1] = weight_x * slope[kind];
-        }
-        of(j * L.window_stride(1), weight_x * w, slopes);
-      }
-    } else {
-#pragma GCC unroll 4
-      for (int k = 0; k < Nodes; ++k) {
-        const Factor wz = factor(scratch.weight[2][k]);
-        const Row weight_xz = weight_x * wz;
-        Row slope_xz[2 * kinds];
-        const Factor slope_z[] = {factor(Slopes::along(scratch, 2)[k])...};
-#pragma GCC unroll 2
-        for (int kind = 0; kind < kinds; ++kind) {
-          slope_xz[2 * kind] = slope_x[kind] * wz;
-          slope_xz[2 * kind + 1] = weight_x * slope_z[kind];
-        }
-#pragma GCC unroll 4
-        for (int j = 0; j < Nodes; ++j) {
-          const Factor wy = factor(scratch.weight[1][j]);
-          const Factor slope_y[] = {factor(Slopes::along(scratch, 1)[j])...};
-#pragma GCC unroll 2
-          for (int kind = 0; kind < kinds; ++kind) {
-            slopes[D * kind] = slope_xz[2 * kind] * wy;
-            slopes[D * kind + 1] = weight_xz * slope_y[kind];
-            slopes[D * kind + 2] = slope_xz[2 * kind + 1] * wy;
-          }
-          of(j * L.window_stride(1) + k * L.window_stride(2), weight_xz * wy, slopes);
-        }
-      }
-    }
-  }
-
- private:
-  const RealScratch& scratch;
-  Row weight_x, slope_x[kinds];
-};
 
 /// Two nodes along each axis: all corners of a cell are one row.
 template <Layout L, class... Slopes>
