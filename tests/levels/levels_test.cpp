@@ -24,7 +24,10 @@ namespace {
 
 std::vector<BodyParticles> copies(const std::vector<BodyParticles>& bodies) {
   std::vector<BodyParticles> made(bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b) made[b].arrays = bodies[b].arrays;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    made[b].arrays = bodies[b].arrays;
+    made[b].floats = bodies[b].floats;
+  }
   return made;
 }
 
@@ -51,8 +54,10 @@ TEST_P(LevelsBits, AreTheSame) {
   const std::vector<BodyParticles> here = state_after_steps(GetParam(), compiled_kernels);
   const std::vector<BodyParticles> there = state_after_steps(GetParam(), x86_64_v3::compiled_kernels);
   for (std::size_t b = 0; b < here.size(); ++b)
-    for (int a = 0; a < attribute_count; ++a)
+    for (int a = 0; a < attribute_count; ++a) {
       EXPECT_EQ(here[b].arrays[a], there[b].arrays[a]) << attribute_name(static_cast<Attribute>(a));
+      EXPECT_EQ(here[b].floats[a], there[b].floats[a]) << attribute_name(static_cast<Attribute>(a));
+    }
 }
 
 std::vector<bench::Case> cases_of_few_kernels() {
