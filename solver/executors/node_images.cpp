@@ -50,7 +50,7 @@ bool Period::has_images(const Layout& layout, const TileIndex& at, const CellRan
 }
 
 /// Adds the tiles of the nodes whose images an occupied tile's particles can reach.
-void Tiles::add_originals(const OccupiedTile& tile) {
+void Tiles::add_originals(const OccupiedTile& tile, std::vector<TilePlace>& reached) const {
   const CellRange nodes = nodes_reached(tile.cells);
   TilesAlong along[3] = {{{}, 1}, {{}, 1}, {{}, 1}};
   for (int axis = 0; axis < layout_.dimensions; ++axis) {
@@ -59,12 +59,7 @@ void Tiles::add_originals(const OccupiedTile& tile) {
   }
   for (const std::int32_t z : along[2])
     for (const std::int32_t y : along[1])
-      for (const std::int32_t x : along[0]) {
-        Tile reached;
-        reached.field = tile.field;
-        reached.at = {x, y, z};
-        tiles_.push_back(reached);
-      }
+      for (const std::int32_t x : along[0]) reached.push_back({{x, y, z}, tile.field});
 }
 
 Tiles::Owner Tiles::owner(const Tile& tile, const TileIndex& node) const {

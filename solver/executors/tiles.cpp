@@ -5,16 +5,17 @@
 
 namespace trajan {
 
-bool before(const TileIndex& a, const TileIndex& b) {
-  const auto key = [](const TileIndex& at) { return std::tuple(at[1] >> 3, at[0] >> 3, at[2], at[1], at[0]); };
-  return key(a) < key(b);
-}
-
 namespace {
 
-bool tile_before(const Tile& a, const Tile& b) { return a.at != b.at ? before(a.at, b.at) : a.field < b.field; }
+auto rank(const TileIndex& at) { return std::tuple(at[1] >> 3, at[0] >> 3, at[2], at[1], at[0]); }
+/// Of a tile or of its place.
+auto rank_with_field(const auto& tile) { return std::tuple_cat(rank(tile.at), std::tuple(tile.field)); }
+
+bool tile_before(const auto& a, const auto& b) { return rank_with_field(a) < rank_with_field(b); }
 
 }  // namespace
+
+bool before(const TileIndex& a, const TileIndex& b) { return rank(a) < rank(b); }
 
 CellRange Tiles::nodes_reached(const CellRange& cells) const {
   // Cell c of the window has the tile's nodes c - 1 and c; wide functions reach one node further.
@@ -28,7 +29,7 @@ CellRange Tiles::nodes_reached(const CellRange& cells) const {
 }
 
 /// Adds the tiles that own nodes of an occupied tile's window which its particles can reach.
-void Tiles::add_reached(const OccupiedTile& tile) {
+void Tiles::add_reached(const OccupiedTile& tile, std::vector<TilePlace>& reached) const {
   const CellRange nodes = nodes_reached(tile.cells);
   TileIndex down{}, up{};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout_.dimensions); ++axis) {
@@ -37,13 +38,9 @@ void Tiles::add_reached(const OccupiedTile& tile) {
   }
   for (int z = down[2]; z <= up[2]; ++z)
     for (int y = down[1]; y <= up[1]; ++y)
-      for (int x = down[0]; x <= up[0]; ++x) {
-        Tile reached;
-        reached.field = tile.field;
-        reached.at = {tile.at[0] + x, tile.at[1] + y, tile.at[2] + z};
-        tiles_.push_back(reached);
-      }
-  if (period_.has_images(layout_, tile.at, nodes)) add_originals(tile);
+      for (int x = down[0]; x <= up[0]; ++x)
+        reached.push_back({{tile.at[0] + x, tile.at[1] + y, tile.at[2] + z}, tile.field});
+  if (period_.has_images(layout_, tile.at, nodes)) add_originals(tile, reached);
 }
 
 void Tiles::find_neighbours(Tile& tile) const {
@@ -56,12 +53,18 @@ void Tiles::find_neighbours(Tile& tile) const {
 
 void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRange> blocks,
                     std::span<const std::uint32_t> blocks_of) {
-  tiles_.clear();
-  for (const OccupiedTile& tile : occupied) add_reached(tile);
-  std::sort(tiles_.begin(), tiles_.end(), tile_before);
-  const auto same = [](const Tile& a, const Tile& b) { return a.at == b.at && a.field == b.field; };
-  tiles_.erase(std::unique(tiles_.begin(), tiles_.end(), same), tiles_.end());
-  tiles_.shrink_to_fit();
+  std::vector<TilePlace> reached;
+  for (const OccupiedTile& tile : occupied) add_reached(tile, reached);
+  std::sort(reached.begin(), reached.end(), tile_before<TilePlace, TilePlace>);
+  const auto same = [](const TilePlace& a, const TilePlace& b) {
+    return rank_with_field(a) == rank_with_field(b);
+  };
+  reached.erase(std::unique(reached.begin(), reached.end(), same), reached.end());
+  tiles_ = std::vector<Tile>(reached.size());
+  for (std::size_t t = 0; t < reached.size(); ++t) {
+    tiles_[t].at = reached[t].at;
+    tiles_[t].field = reached[t].field;
+  }
 
   blocks_ = std::move(blocks);
   std::uint32_t block = 0;
@@ -109,11 +112,9 @@ Neighbours Tiles::sums_around(const Tile& tile) const {
 }
 
 std::int32_t Tiles::find(const TileIndex& at, std::uint32_t field) const {
-  Tile wanted;
-  wanted.at = at;
-  wanted.field = field;
-  const auto found = std::lower_bound(tiles_.begin(), tiles_.end(), wanted, tile_before);
-  if (found == tiles_.end() || found->at != at || found->field != field) return -1;
+  const TilePlace wanted{at, field};
+  const auto found = std::lower_bound(tiles_.begin(), tiles_.end(), wanted, tile_before<Tile, TilePlace>);
+  if (found == tiles_.end() || tile_before(wanted, *found)) return -1;
   return static_cast<std::int32_t>(found - tiles_.begin());
 }
 

@@ -18,6 +18,12 @@ struct BlockRange {
   std::uint16_t body = 0;
 };
 
+/// Where a tile is, in units of tiles, and the velocity field that it belongs to.
+struct TilePlace {
+  TileIndex at{};
+  std::uint32_t field = 0;
+};
+
 /// A tile that has particles: its place in units of tiles, the velocity field that they share, where in its window
 /// they may be.
 struct OccupiedTile {
@@ -120,8 +126,8 @@ class Tiles {
   std::size_t node_size() const { return static_cast<std::size_t>(node_quantities_) * tile_nodes; }
   std::size_t window_size() const { return static_cast<std::size_t>(sum_quantities_) * layout_.window_nodes; }
   std::size_t window(const Tile& tile) const { return static_cast<std::size_t>(tile.window) * window_size(); }
-  void add_reached(const OccupiedTile& tile);
-  void add_originals(const OccupiedTile& tile);
+  void add_reached(const OccupiedTile& tile, std::vector<TilePlace>& reached) const;
+  void add_originals(const OccupiedTile& tile, std::vector<TilePlace>& reached) const;
   void find_neighbours(Tile& tile) const;
   /// Nodes that particles in these cells of a window see, counted from the tile's first one.
   CellRange nodes_reached(const CellRange& cells) const;
