@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <thread>
 
 namespace trajan {
 namespace {
@@ -36,10 +38,26 @@ TEST(ThreadPool, CallsATaskOnceOnEachThreadAndWaitsForAll) {
   }
 }
 
-TEST(ThreadPool, EndsWhetherItsThreadsSleepOrHaveNotBegun) {
+std::atomic<int> ended = 0;
+struct CountsWhenItsThreadEnds {
+  ~CountsWhenItsThreadEnds() { ++ended; }
+};
+
+/// One that does not hangs here.
+TEST(ThreadPool, EndsItsThreadsWhetherTheySleepOrHaveNotBegun) {
   for (int i = 0; i < 100; ++i) ThreadPool at_once(3);
-  ThreadPool later(3);
-  std::this_thread::sleep_for(milliseconds(3));
+  for (const milliseconds asleep : {milliseconds(0), milliseconds(3)}) {
+    ended = 0;
+    {
+      ThreadPool pool(3);
+      pool.run([](int thread) {
+        if (thread > 0) thread_local const CountsWhenItsThreadEnds counter;
+      });
+      std::this_thread::sleep_for(asleep);
+      EXPECT_EQ(ended, 0);
+    }
+    EXPECT_EQ(ended, 2) << asleep.count() << " ms";
+  }
 }
 
 TEST(ThreadPool, OfOneThreadIsTheCaller) {
