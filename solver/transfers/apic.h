@@ -15,15 +15,15 @@ struct Apic {
   static constexpr int needed_vectors = node_vectors;
 
   static TransferPasses passes(const TransferKernels& kernels, const MotionKernels& motion, const Numerics&) {
-    const AffineKernels& affine = kernels.affine;
+    const AffineKernels& stages = kernels.affine;
     TransferPasses passes;
-    passes.begin = {affine.begin};
-    passes.locate = {affine.find_levers};
-    passes.scatter_state = {affine.scatter_state};
-    passes.scatter_momentum = {affine.scatter_momentum};
-    passes.update_velocity = {{affine.gather, motion.take_velocity}, {node_velocity}};
+    passes.begin = {stages.begin};
+    passes.locate = {stages.find_levers};
+    passes.scatter_state = {stages.scatter_state};
+    passes.scatter_momentum = {stages.scatter_momentum};
+    passes.update_velocity = {{stages.gather, motion.take_velocity}, {node_velocity}};
     passes.takes_grid_velocity = true;
-    passes.kick = {{affine.kick, motion.kick}, {node_acceleration}};
+    passes.kick = {{stages.kick, motion.kick}, {node_acceleration}};
     return passes;
   }
   static std::string_view objection(const Numerics& numerics) {
