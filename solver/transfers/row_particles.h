@@ -21,8 +21,10 @@ struct RowParticles {
   __attribute__((always_inline)) static Row node_numbers() {
     Row numbers;
 #pragma GCC unroll 8
-    for (int lane = 0; lane < static_cast<int>(sizeof(Row) / sizeof(Real)); ++lane)
-      numbers[lane] = Real(lane / places);
+    for (int lane = 0; lane < static_cast<int>(sizeof(Row) / sizeof(Real)); ++lane) {
+      const int node = lane / places;
+      numbers[lane] = Real(node);
+    }
     return numbers;
   }
   /// Of a row, over the particles.

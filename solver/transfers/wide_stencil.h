@@ -18,7 +18,7 @@ struct ProductStencil {
                        rows = D < 2   ? 1
                               : D < 3 ? Nodes
                                       : Nodes * Nodes;
-  static constexpr int together = sizeof(double) / sizeof(Real);
+  static constexpr int together = std::is_same_v<Real, float> ? 2 : 1;
   using Row = std::conditional_t<together == 1, Four, Eight>;
 
   template <class Particles>
