@@ -84,17 +84,17 @@ Scene slab(Dimension dimension) {
   scene.name = "slab";
   scene.domain = {dimension, {0, 0}, {17, 9}, 0.1, 1};
   scene.materials = {test::material("neo_hookean", 100, 0.3, 1)};
-  scene.bodies = {{"slab", "solid", Box{{0.5, 0.5}, {15.7, 8.3}}, 2, {"sin(x)*cos(2*y)", "0.5*sin(y+x)"}}};
+  scene.bodies = {{"slab", "solid", Box{{0.5, 0.5}, {15.7, 8.3}}, 1, {"sin(x)*cos(2*y)", "0.5*sin(y+x)"}}};
   if (dimension == Dimension::solid) {
     scene.domain = {dimension, {0, 0, 0}, {8, 5, 1}, 0.1};
     scene.bodies = {{"slab",
                      "solid",
                      Box{{0.3, 0.3, 0.3}, {7.7, 4.3, 0.5}},
-                     2,
+                     1,
                      {"sin(x)*cos(2*y)", "0.5*sin(y+x)", "sin(7*x)"}}};
   }
-  scene.analysis = {0.1, 0.005};
-  scene.outputs.samples = 4;
+  scene.analysis = {0.04, 0.005};
+  scene.outputs.samples = 2;
   scene.outputs.snapshots = 1;
   return scene;
 }
