@@ -11,8 +11,6 @@ auto rank(const TileIndex& at) { return std::tuple(at[1] >> 3, at[0] >> 3, at[2]
 /// Of a tile or of its place.
 auto rank_with_field(const auto& tile) { return std::tuple_cat(rank(tile.at), std::tuple(tile.field)); }
 
-bool tile_before(const auto& a, const auto& b) { return rank_with_field(a) < rank_with_field(b); }
-
 }  // namespace
 
 bool before(const TileIndex& a, const TileIndex& b) { return rank(a) < rank(b); }
@@ -55,11 +53,10 @@ void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRan
                     std::span<const std::uint32_t> blocks_of) {
   std::vector<TilePlace> reached;
   for (const OccupiedTile& tile : occupied) add_reached(tile, reached);
-  std::sort(reached.begin(), reached.end(), tile_before<TilePlace, TilePlace>);
-  const auto same = [](const TilePlace& a, const TilePlace& b) {
-    return rank_with_field(a) == rank_with_field(b);
-  };
-  reached.erase(std::unique(reached.begin(), reached.end(), same), reached.end());
+  const auto by_rank = [](const TilePlace& tile) { return rank_with_field(tile); };
+  std::ranges::sort(reached, {}, by_rank);
+  const auto twice = std::ranges::unique(reached, {}, by_rank);
+  reached.erase(twice.begin(), twice.end());
   tiles_ = std::vector<Tile>(reached.size());
   for (std::size_t t = 0; t < reached.size(); ++t) {
     tiles_[t].at = reached[t].at;
@@ -112,9 +109,10 @@ Neighbours Tiles::sums_around(const Tile& tile) const {
 }
 
 std::int32_t Tiles::find(const TileIndex& at, std::uint32_t field) const {
-  const TilePlace wanted{at, field};
-  const auto found = std::lower_bound(tiles_.begin(), tiles_.end(), wanted, tile_before<Tile, TilePlace>);
-  if (found == tiles_.end() || tile_before(wanted, *found)) return -1;
+  const auto wanted = rank_with_field(TilePlace{at, field});
+  const auto by_rank = [](const Tile& tile) { return rank_with_field(tile); };
+  const auto found = std::ranges::lower_bound(tiles_, wanted, {}, by_rank);
+  if (found == tiles_.end() || by_rank(*found) != wanted) return -1;
   return static_cast<std::int32_t>(found - tiles_.begin());
 }
 

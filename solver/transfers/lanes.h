@@ -8,7 +8,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// As many particles as are handled at once, each a lane. Registers of AVX-512 hold twice as many, but only where
 /// cells have eight particles, and stencils two nodes along an axis, is it worth that: linear functions in space
-/// take 3 % less of a step, quadratic B-splines 9 % more (Zen 4).
+/// take 3 % less of a step, quadratic B-splines a tenth more (Zen 4).
 template <int nodes, int axes>
 struct LanesFor {
 #ifdef __AVX512F__

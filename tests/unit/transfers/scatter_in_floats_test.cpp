@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -58,9 +59,11 @@ class RandomBlock {
       for (int node = 0; node < power(Nodes, D); ++node) add_terms(i, node, exact, magnitude);
     double largest = 0;
     for (std::size_t k = 0; k < exact.size(); ++k) {
-      const double error = std::abs(sums_[k] - exact[k]);
-      const double per = magnitude[k] * std::numeric_limits<float>::epsilon() / 2;
-      if (!(error <= per * largest)) largest = magnitude[k] > 0 ? error / per : HUGE_VAL;
+      if (sums_[k] == exact[k]) continue;
+      const double error =
+          std::abs(sums_[k] - exact[k]) * 2 / (magnitude[k] * std::numeric_limits<float>::epsilon());
+      if (std::isnan(error)) return HUGE_VAL;
+      largest = std::max(largest, error);
     }
     return largest;
   }
