@@ -55,8 +55,9 @@ void Tiles::rebuild(std::span<const OccupiedTile> occupied, std::vector<BlockRan
   for (const OccupiedTile& tile : occupied) add_reached(tile, reached);
   const auto by_rank = [](const TilePlace& tile) { return rank_with_field(tile); };
   std::ranges::sort(reached, {}, by_rank);
-  const auto twice = std::ranges::unique(reached, {}, by_rank);
-  reached.erase(twice.begin(), twice.end());
+  // Not of std::ranges: Clang 14 cannot compile the subrange that libstdc++ 12 returns.
+  const auto same = [&](const TilePlace& a, const TilePlace& b) { return by_rank(a) == by_rank(b); };
+  reached.erase(std::unique(reached.begin(), reached.end(), same), reached.end());
   tiles_ = std::vector<Tile>(reached.size());
   for (std::size_t t = 0; t < reached.size(); ++t) {
     tiles_[t].at = reached[t].at;
