@@ -41,11 +41,12 @@ void Discretization::find_stencils(const Model& model, Executor& executor) {
   volumes_.resize(particles);
   bodies_.resize(particles);
   if (axisymmetric_) inverse_radii_.resize(particles);
+  const Layout window(axes_, tiles_.layout().wide);  // whatever margin that of explicit steps has
   executor.visit([&](Block& block, std::size_t b, std::size_t tile) {
     kernel(block, stencils[b]);
     // From nodes of the window to nodes of all tiles.
     for (int& node : stencils[b].nodes) {
-      const Owner owner = owner_of(tiles_.layout(), tiles_.tiles()[tile], node);
+      const Owner owner = owner_of(window, tiles_.tiles()[tile], node);
       node = static_cast<int>(owner.tile) * tile_nodes + owner.node;
     }
     for (int i = 0; i < block.count; ++i) {

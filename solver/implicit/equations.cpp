@@ -10,7 +10,7 @@ namespace trajan {
 namespace {
 
 bool is_wide(const Model& model) {
-  return kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->layout.wide;
+  return kernels().doubles.transfer(model.numerics.shape_functions, model.dimension, Margin::none)->layout.wide;
 }
 
 }  // namespace

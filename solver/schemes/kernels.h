@@ -129,8 +129,8 @@ struct MotionKernels {
 /// What depends on the number type of what particles do on the grid.
 struct GridKernels {
   MotionKernels motion[3];  ///< by grid axes, less one
-  /// nullptr: there are no shape functions of that name.
-  const TransferKernels* (*transfer)(std::string_view shape_functions, Dimension dimension);
+  /// nullptr: there are no shape functions of that name. Some have a margin in any case.
+  const TransferKernels* (*transfer)(std::string_view shape_functions, Dimension dimension, Margin margin);
 };
 
 /// Everything whose speed depends on the instruction set.

@@ -16,8 +16,9 @@ struct Bernstein {
   static constexpr bool wide = true;
   static constexpr bool folds = false;
   static constexpr bool needs_deformation = false;
+  /// An element's first node is even. So are those of tiles, and windows with a margin begin two nodes before.
+  static constexpr bool needs_margin = true;
 
-  /// Windows begin two nodes before their tile, and tiles at even nodes.
   static constexpr double first_node(double at) { return 2 * whole_part(0.5 * at); }
   static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {
     const Real s = p / 2, r = 1 - s;

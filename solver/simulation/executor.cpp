@@ -25,6 +25,13 @@ Period period_of(const Grid& grid) {
   return period;
 }
 
+/// What is at surfaces may lie in other cells than the particles that carry it.
+Margin margin_of(const Model& model, const Conditions& conditions, const Loads& loads) {
+  const bool none = is_total_lagrangian(model.numerics.scheme) && !conditions.on_surfaces() &&
+                    !loads.on_surfaces() && model.contacts.fields < 2 && !period_of(model.grid).any();
+  return none ? Margin::none : Margin::one_cell;
+}
+
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
 constexpr double least_mass_share = 1e-18;
 
@@ -80,13 +87,14 @@ Executor::Executor(const Model& model, int threads, Filling filling)
       kernels_(kernels().grid(model.numerics)),
       motion_(kernels_.motion[axes_ - 1]),
       transfer_kind_(*find_transfer(model.numerics.transfer)),
-      transfer_(choose(transfer_kind_, *kernels_.transfer(model.numerics.shape_functions, model.dimension))),
       pool_(threads),
       loop_(pool_),
       bodies_(make_bodies(model)),
       conditions_(model),
       contacts_(model, threads),
       loads_(model),
+      transfer_(choose(transfer_kind_, *kernels_.transfer(model.numerics.shape_functions, model.dimension,
+                                                          margin_of(model, conditions_, loads_)))),
       tiles_(transfer_.layout, node_quantities(), quantities(loads_.none() ? sum_load : sum_vectors, axes_),
              period_of(model.grid)),
       sweeps_(model, transfer_kind_, transfer_,

@@ -120,7 +120,6 @@ class Executor {
   const GridKernels& kernels_;
   const MotionKernels& motion_;
   const Transfer& transfer_kind_;
-  const TransferKernels& transfer_;
   ThreadPool pool_;
   TileLoop loop_;
   std::vector<BodyParticles> bodies_;
@@ -128,6 +127,7 @@ class Executor {
   Conditions conditions_;
   BodyContacts contacts_;
   Loads loads_;
+  const TransferKernels& transfer_;
   Tiles tiles_;
   Sweeps sweeps_;
   SweepConstants sweep_;

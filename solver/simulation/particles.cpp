@@ -200,7 +200,7 @@ std::vector<AttributeNeed> attributes_needed(const Model& model, std::size_t bod
   if (total && !law.rate_form && model.numerics.locking_remedy != "none")
     add({volume}, "locking remedy " + model.numerics.locking_remedy);
   const bool shapes =
-      kernels().doubles.transfer(model.numerics.shape_functions, model.dimension)->needs_deformation;
+      kernels().doubles.transfer(model.numerics.shape_functions, model.dimension, Margin::none)->needs_deformation;
   const bool contacts = model.contacts.fields > 1;
   if (shapes || contacts || records_deformation(model))
     for (Attribute a : law.tracked)

@@ -279,8 +279,8 @@ void reorder(BodyParticles& body, const std::vector<std::uint32_t>& slot_of, Thr
   permute(body.number, slot_of, spare_numbers, pool);
 }
 
-/// Of one cell, for drifting.
 void add_margins(std::vector<OccupiedTile>& occupied, const Layout& layout) {
+  if (layout.margin == Margin::none) return;
   for (OccupiedTile& tile : occupied)
     for (int axis = 0; axis < layout.dimensions; ++axis) {
       --tile.cells.lowest[axis];

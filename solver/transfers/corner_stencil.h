@@ -134,15 +134,8 @@ inline constexpr TransferKernels corner_kernels_of = [] {
 
 template <class Shape>
 requires(Shape::corners) struct TransferChoice<Shape> {
-  static const TransferKernels* of(Dimension dimension) {
-    switch (grid_axes(dimension)) {
-      case 1:
-        return &corner_kernels_of<Shape, Layout{1, true}>;
-      case 2:
-        return &corner_kernels_of<Shape, Layout{2, true}>;
-      default:
-        return &corner_kernels_of<Shape, Layout{3, true}>;
-    }
+  static const TransferKernels* of(Dimension dimension, Margin) {
+    return with_layout<true, Margin::one_cell>(dimension, []<Layout L>() { return &corner_kernels_of<Shape, L>; });
   }
 };
 

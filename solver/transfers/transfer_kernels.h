@@ -66,17 +66,33 @@ inline constexpr TransferKernels transfer_kernels{L,
                                                   &remap<Stencil, L>,
                                                   &reduce_remainder<L>};
 
+/// Returns of.operator()<Layout>().
+template <bool wide, Margin margin, class Of>
+auto with_layout(Dimension dimension, Of of) {
+  switch (grid_axes(dimension)) {
+    case 1:
+      return of.template operator()<Layout{1, wide, margin}>();
+    case 2:
+      return of.template operator()<Layout{2, wide, margin}>();
+    default:
+      return of.template operator()<Layout{3, wide, margin}>();
+  }
+}
+
+/// Particles that deform are of no scheme in which they stay where they are.
+template <class Shape>
+concept NeedsMargin = Shape::needs_deformation || requires {
+  requires Shape::needs_margin;
+};
+
+/// With a margin if the shape functions need one.
 template <class Shape>
 struct TransferChoice {
-  static const TransferKernels* of(Dimension dimension) {
-    switch (grid_axes(dimension)) {
-      case 1:
-        return &transfer_kernels<Shape, Layout{1, Shape::wide}>;
-      case 2:
-        return &transfer_kernels<Shape, Layout{2, Shape::wide}>;
-      default:
-        return &transfer_kernels<Shape, Layout{3, Shape::wide}>;
-    }
+  static const TransferKernels* of(Dimension dimension, Margin margin) {
+    const auto kernels = []<Layout L>() { return &transfer_kernels<Shape, L>; };
+    if constexpr (!NeedsMargin<Shape>)
+      if (margin == Margin::none) return with_layout<Shape::wide, Margin::none>(dimension, kernels);
+    return with_layout<Shape::wide, Margin::one_cell>(dimension, kernels);
   }
 };
 

@@ -30,8 +30,8 @@ template <Layout L>
 __attribute__((always_inline)) inline TileRow<L> add_row(const double* left, const double* middle,
                                                          const double* right, TileRow<L> sum) {
   constexpr int side = L.side;
-  const TileRow<L> outer = load_lanes<TileRow<L>, 0, L.above>(left + L.below + side) +
-                           load_lanes<TileRow<L>, side - L.below, side>(right - (side - L.below));
+  TileRow<L> outer = load_lanes<TileRow<L>, 0, L.above>(left + L.below + side);
+  if constexpr (L.below > 0) outer += load_lanes<TileRow<L>, side - L.below, side>(right - (side - L.below));
   return sum + load<TileRow<L>>(middle + L.below) + outer;
 }
 

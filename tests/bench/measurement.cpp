@@ -61,7 +61,12 @@ double count_multiply_adds(const Model& model) {
   return std::pow(along, d) * (1 + 4 * d + 2 * d * d + affine);
 }
 
-void measure_steps(const Model& model, int threads, Clock::time_point begin, Measurement& measured) {
+/// When discs that spin by one radian per unit of time have turned far enough that no row of particles stays
+/// within a row of cells.
+constexpr double time_of_turned = 0.2;
+
+void measure_steps(const Model& model, const Choice& choice, int threads, Clock::time_point begin,
+                   Measurement& measured) {
   Simulation simulation(model, threads);
   simulation.step();
   measured.start = seconds_since(begin);
@@ -72,6 +77,8 @@ void measure_steps(const Model& model, int threads, Clock::time_point begin, Mea
   const ModelPlan planned = plan(model);
   measured.bytes_moved = count_bytes(planned, arrays_written(simulation.executor(), before));
   measured.multiply_adds = count_multiply_adds(model);
+
+  while (choice.turned && simulation.time() < time_of_turned) simulation.step();
 
   // Long enough for the clock, and so few steps that coarse discs have not flown apart at the end.
   const auto steps = static_cast<int>(std::clamp(2e6 / static_cast<double>(measured.particles), 1.0, 100.0));
@@ -107,7 +114,7 @@ Measurement measure(const Case& of, double particles, int threads) {
   measured.validation = seconds_since(begin);
   measured.particles = model.particle_count();
   if (of.choice.kind == Kind::explicit_steps)
-    measure_steps(model, threads, begin, measured);
+    measure_steps(model, of.choice, threads, begin, measured);
   else
     measure_run(model, threads, measured);
   return measured;

@@ -32,6 +32,10 @@ Scene discs(const Choice& choice, double particles) {
   scene.domain.lower = {-100, -100}, scene.domain.upper = {101, 101};
   scene.bodies = {{"one", "solid", Disc{{0.2, 0.2}, 0.2}, 2, {"0.1", "0.1"}},
                   {"two", "solid", Disc{{0.8, 0.8}, 0.2}, 2, {"-0.1", "-0.1"}}};
+  if (choice.turned) {
+    scene.bodies[0].initial_velocity = {"0.2 - y", "x - 0.2"};
+    scene.bodies[1].initial_velocity = {"0.8 - y", "x - 0.8"};
+  }
   if (choice.contact) scene.contacts = {{{}, 0.2}};
   return scene;
 }

@@ -17,6 +17,7 @@ struct Choice {
   std::string law = "linear_elastic";
   bool damage = false;
   bool contact = false;
+  bool turned = false;  ///< discs that spin, once their rows of particles lie askew
   Dimension dimension = Dimension::plane_strain;
   std::string precision = "DOUBLE";
   Kind kind = Kind::explicit_steps;

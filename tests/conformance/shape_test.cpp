@@ -39,9 +39,10 @@ class TileOfParticles {
   static constexpr int count = 100;
   static constexpr bool wide = std::is_same_v<Number, double>;
 
-  TileOfParticles(const Case& c, bool at_faces)
+  TileOfParticles(const Case& c, bool at_faces, Margin margin)
       : axes(grid_axes(c.dimension)),
-        kernels(*(wide ? trajan::kernels().doubles : trajan::kernels().floats).transfer(c.shape, c.dimension)) {
+        kernels(*(wide ? trajan::kernels().doubles : trajan::kernels().floats)
+                     .transfer(c.shape, c.dimension, margin)) {
     const Layout& layout = kernels.layout;
     sweep.cell = cell;
     sweep.inverse_cell = 1 / cell;
@@ -52,8 +53,9 @@ class TileOfParticles {
       sweep.faces[axis] = at_faces ? layout.side : 100 * layout.side;
       body.half_size[axis] = 0.25;
       block.window_first[axis] = tile_at[axis] * layout.side - 1;
-      block.lowest[axis] = at_faces ? 1 : 0;
-      block.highest[axis] = at_faces ? layout.side : layout.side + 1;
+      const int drift = at_faces || margin == Margin::none ? 0 : 1;
+      block.lowest[axis] = 1 - drift;
+      block.highest[axis] = layout.side + drift;
     }
     fill();
     forget_results();
@@ -156,11 +158,11 @@ class TileOfParticles {
   }
 };
 
-class Shape : public testing::TestWithParam<std::tuple<Case, bool>> {
+class Shape : public testing::TestWithParam<std::tuple<Case, bool, Margin>> {
  protected:
   template <class Number>
   TileOfParticles<Number> tile() const {
-    return {std::get<0>(GetParam()), std::get<1>(GetParam())};
+    return {std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
   }
 };
 
@@ -239,13 +241,17 @@ TEST_P(Shape, ScattersMassCentreMomentumAndVirial) {
   scatter_mass_momentum_and_forces(tile<float>());
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<Case, bool>>& tested) {
+std::string name_of(const testing::TestParamInfo<std::tuple<Case, bool, Margin>>& tested) {
   static const char* const names[] = {"", "Bar", "PlaneStress", "PlaneStrain", "Axisymmetric", "Solid"};
   const Case& c = std::get<0>(tested.param);
-  return c.shape + names[static_cast<int>(c.dimension)] + (std::get<1>(tested.param) ? "AtFaces" : "Inside");
+  return c.shape + names[static_cast<int>(c.dimension)] + (std::get<1>(tested.param) ? "AtFaces" : "Inside") +
+         (std::get<2>(tested.param) == Margin::none ? "WithoutMargin" : "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, Shape, testing::Combine(testing::ValuesIn(cases()), testing::Bool()), name_of);
+INSTANTIATE_TEST_SUITE_P(Registry, Shape,
+                         testing::Combine(testing::ValuesIn(cases()), testing::Bool(),
+                                          testing::Values(Margin::one_cell, Margin::none)),
+                         name_of);
 
 }  // namespace
 }  // namespace trajan

@@ -41,7 +41,9 @@ std::vector<BodyParticles> state_after_steps(const bench::Case& of, const Kernel
 }
 
 TEST(Levels, HaveCodeOfTheirOwn) {
-  const auto locate = [](const Kernels& of) { return of.doubles.transfer("linear", Dimension::solid)->locate; };
+  const auto locate = [](const Kernels& of) {
+    return of.doubles.transfer("linear", Dimension::solid, Margin::one_cell)->locate;
+  };
   EXPECT_NE(locate(compiled_kernels), locate(x86_64_v3::compiled_kernels));
   EXPECT_STREQ(x86_64_v3::compiled_kernels.instruction_set, "x86_64_v3");
 }
