@@ -30,7 +30,9 @@ struct TileNodes {
   double* mapped_velocity(int axis) const { return component(2, axis); }
 
  private:
-  double* component(int vector, int axis) const { return values + (1 + vector * dimensions + axis) * count; }
+  double* component(int vector, int axis) const {
+    return values + std::ptrdiff_t{1 + vector * dimensions + axis} * count;
+  }
 };
 
 /// Where nodes are: node (i, j, k) at origin + cell * (i, j, k).

@@ -85,7 +85,7 @@ void SurfaceCondition::collect() {
 double SurfaceCondition::inverse_mass(const Tiles& tiles, const HeldComponents& held, const SurfaceNode& at,
                                       int axis) const {
   if (held[at.tile * tile_nodes + at.node] >> axis & 1u) return 0;
-  const double mass = tiles.nodes(at.tile)[quantity_mass * tile_nodes + at.node];
+  const double mass = tiles.nodes(at.tile)[tile_array(quantity_mass) + at.node];
   return mass > 0 ? 1 / mass : 0;
 }
 
@@ -94,7 +94,7 @@ SurfaceCondition::Mean SurfaceCondition::mean(const Tiles& tiles, const HeldComp
   Mean mean;
   for (std::uint32_t n = of.begin; n < of.end; ++n) {
     const SurfaceNode& at = nodes_[n];
-    mean.velocity += at.weight * tiles.nodes(at.tile)[quantity(vector, axis, axes_) * tile_nodes + at.node];
+    mean.velocity += at.weight * tiles.nodes(at.tile)[tile_array(quantity(vector, axis, axes_)) + at.node];
     mean.inverse_mass += at.weight * at.weight * inverse_mass(tiles, held, at, axis);
   }
   return mean;
@@ -104,7 +104,7 @@ void SurfaceCondition::add(Tiles& tiles, const HeldComponents& held, const Surfa
                            int axis, double impulse) const {
   for (std::uint32_t n = to.begin; n < to.end; ++n) {
     const SurfaceNode& at = nodes_[n];
-    tiles.nodes(at.tile)[quantity(vector, axis, axes_) * tile_nodes + at.node] +=
+    tiles.nodes(at.tile)[tile_array(quantity(vector, axis, axes_)) + at.node] +=
         impulse * at.weight * inverse_mass(tiles, held, at, axis);
   }
 }
@@ -132,8 +132,8 @@ SurfaceCondition::Pushed SurfaceCondition::account(const Tiles& tiles, const Hel
   for (std::uint32_t n = to.begin; n < to.end; ++n) {
     const SurfaceNode& at = nodes_[n];
     if (inverse_mass(tiles, held, at, axis) == 0) continue;
-    const double a = tiles.nodes(at.tile)[quantity(node_acceleration, axis, axes_) * tile_nodes + at.node];
-    const double v = tiles.nodes(at.tile)[quantity(node_velocity, axis, axes_) * tile_nodes + at.node];
+    const double a = tiles.nodes(at.tile)[tile_array(quantity(node_acceleration, axis, axes_)) + at.node];
+    const double v = tiles.nodes(at.tile)[tile_array(quantity(node_velocity, axis, axes_)) + at.node];
     pushed.impulse += impulse * at.weight;
     pushed.work += impulse * at.weight * (v - 0.5 * kick * a);
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr double soon = 0.1;
 
 double mass_of(const Tiles& tiles, std::size_t tile, int node) {
-  return tiles.nodes(tile)[quantity_mass * tile_nodes + node];
+  return tiles.nodes(tile)[tile_array(quantity_mass) + node];
 }
 
 bool same_pair(const NodeContact& a, const NodeContact& b) {
@@ -148,7 +148,7 @@ void BodyContacts::exchange(const Place& place, std::span<NodeContact> contacts,
       motions[f].mass = mass_of(tiles, place.first + f, node);
       for (int axis = 0; axis < axes_; ++axis)
         motions[f].velocity[static_cast<std::size_t>(axis)] =
-            tiles.nodes(place.first + f)[quantity(velocities, axis, axes_) * tile_nodes + node];
+            tiles.nodes(place.first + f)[tile_array(quantity(velocities, axis, axes_)) + node];
     }
     const std::size_t at = place.first * std::size_t{tile_nodes} + static_cast<std::size_t>(node);
     const std::span<NodeContact> of_node = contacts.subspan(begin, end - begin);
@@ -164,8 +164,8 @@ void BodyContacts::act(Place& place, Near& near, Tiles& tiles, const HeldCompone
     for (std::uint32_t f = 0; f < place.fields; ++f) {
       double* values = tiles.nodes(place.first + f) + node;
       for (int axis = 0; axis < axes_ && motions[f].mass > 0; ++axis) {
-        double& a = values[quantity(node_acceleration, axis, axes_) * tile_nodes];
-        double& v = values[quantity(node_velocity, axis, axes_) * tile_nodes];
+        double& a = values[tile_array(quantity(node_acceleration, axis, axes_))];
+        double& v = values[tile_array(quantity(node_velocity, axis, axes_))];
         double& changed = motions[f].velocity[static_cast<std::size_t>(axis)];
         a += (changed - v) / kick;
         v = changed;
@@ -186,7 +186,7 @@ void BodyContacts::act_on(const Place& place, Near& near, Tiles& tiles, const He
   std::vector<NodeContact>& contacts = near.contacts;
   contacts.assign(place.contacts.begin(), place.contacts.end());
   const auto component = [&](std::uint32_t field, int axis, int node) -> double& {
-    return tiles.nodes(place.first + field)[quantity(velocities, axis, axes_) * tile_nodes + node];
+    return tiles.nodes(place.first + field)[tile_array(quantity(velocities, axis, axes_)) + node];
   };
   for (NodeContact& contact : contacts) {
     double approach = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 /// The background grid is cut into tiles of 64 cells: 64, 8 x 8 or 4 x 4 x 4. Only tiles near material
 /// exist. A tile owns the nodes at the lower corners of its cells. What its particles need of the grid, and
 /// what they give to it, is its window: the nodes that they can reach from its own cells and, if particles
@@ -46,6 +48,8 @@ struct Layout {
         window_nodes((power(window_side, axes) + 3 + 7) / 8 * 8),
         neighbours(power(3, axes)) {}
 
+  /// Where a quantity's array begins among those of a window.
+  constexpr std::ptrdiff_t window_array(int quantity) const { return std::ptrdiff_t{quantity} * window_nodes; }
   /// Distance in memory of neighbouring nodes along an axis.
   constexpr int tile_stride(int axis) const { return power(side, axis); }
   constexpr int window_stride(int axis) const { return power(window_side, axis); }
@@ -85,5 +89,7 @@ inline constexpr int quantity_mass = 0;
 constexpr int quantity(int vector, int axis, int dimensions) { return 1 + vector * dimensions + axis; }
 /// How many quantities the mass and so many vectors are.
 constexpr int quantities(int vectors, int dimensions) { return 1 + vectors * dimensions; }
+/// Where a quantity's array begins among those of a tile's nodes.
+constexpr std::ptrdiff_t tile_array(int quantity) { return std::ptrdiff_t{quantity} * tile_nodes; }
 
 }  // namespace trajan

@@ -13,7 +13,7 @@ void write_to_tiles(const Eigen::VectorXd& displacement, const Discretization& o
     double* nodes = tiles.nodes(tile);
     for (int axis = 0; axis < axes; ++axis)
       for (NodeVector vector : {node_velocity, node_mapped_velocity})
-        nodes[quantity(vector, axis, axes) * tile_nodes + node] =
+        nodes[tile_array(quantity(vector, axis, axes)) + node] =
             displacement[static_cast<Eigen::Index>(n) * axes + axis];
   }
 }

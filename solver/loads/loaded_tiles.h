@@ -31,7 +31,7 @@ class LoadedTiles {
   void clear(Tiles& tiles) {
     for (const std::size_t tile : loaded_) {
       double* sums = of_window(tiles, tile);
-      std::fill(sums, sums + axes_ * tiles.layout().window_nodes, 0.0);
+      std::fill(sums, sums + tiles.layout().window_array(axes_), 0.0);
       mark(tiles, tile, 0);
     }
     loaded_.clear();
@@ -49,7 +49,7 @@ class LoadedTiles {
 
  private:
   double* of_window(Tiles& tiles, std::size_t tile) const {
-    return tiles.sums(tile) + quantity(sum_load, 0, axes_) * tiles.layout().window_nodes;
+    return tiles.sums(tile) + tiles.layout().window_array(quantity(sum_load, 0, axes_));
   }
 
   void mark(const Tiles& tiles, std::size_t tile, char value) {

@@ -67,14 +67,14 @@ void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) {
       }
       Riders::Stencil s = riders_[i].stencil(tiles, bodies, p, Riders::Of::force);
       Riders::Values weights = riders_[i].weights(s, s.of_point);
-      const double* mass = tiles.sums(s.tile) + quantity_mass * layout.window_nodes + s.node;
+      const double* mass = tiles.sums(s.tile) + layout.window_array(quantity_mass) + s.node;
       if (riders_[i].functions().averaged && !reaches_mass(mass, riders_[i], weights)) {
         s = riders_[i].stencil(tiles, bodies, p);
         weights = riders_[i].weights(s, s.of_point);
       }
       double* of_tile = loaded_.sums(tiles, s.tile);
       for (int axis = 0; axis < axes_; ++axis) {
-        double* sums = of_tile + axis * layout.window_nodes + s.node;
+        double* sums = of_tile + layout.window_array(axis) + s.node;
         for (int n = 0; n < riders_[i].corners(); ++n)
           sums[riders_[i].corner(n)] += weights[n] * factors_[i] * component(force, axis);
       }

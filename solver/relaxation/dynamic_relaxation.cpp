@@ -93,8 +93,8 @@ struct LeastBalanced {
         const double* values = tiles.nodes(t) + node;
         double square = 0;
         for (int axis = 0; axis < axes; ++axis) {
-          const double a = values[quantity(node_acceleration, axis, axes) * tile_nodes];
-          square += std::pow(values[quantity_mass * tile_nodes] * a, 2);
+          const double a = values[tile_array(quantity(node_acceleration, axis, axes))];
+          square += std::pow(values[tile_array(quantity_mass)] * a, 2);
         }
         if (!(square > largest)) continue;
         largest = square;

@@ -11,7 +11,7 @@ namespace {
 
 const TransferKernels* transfer(std::string_view name, Dimension dimension, Margin margin) {
 #define TRAJAN_CHOOSE(Shape, transfer_of) \
-  if (name == Shape) return transfer_of(dimension, margin);
+  if (name == (Shape)) return transfer_of(dimension, margin);
   TRAJAN_FOR_EACH_SHAPE(TRAJAN_CHOOSE)
 #undef TRAJAN_CHOOSE
   return nullptr;

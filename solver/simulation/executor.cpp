@@ -40,12 +40,12 @@ constexpr double least_mass_share = 1e-18;
 /// light nodes as on others.
 void add_gravity_to_calmed(const NodeBlock& block, const std::vector<BodyParticles>& bodies, const Model& model,
                            int axes) {
-  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  const double* mass = block.nodes + tile_array(quantity_mass);
   for (int axis = 0; axis < axes; ++axis) {
     double most = model.surface_loads.empty() ? HUGE_VAL : 0;
     for (const BodyParticles& body : bodies) most = std::max(most, std::abs(body.constants.acceleration[axis]));
     const double* load = block.collected->values[quantity(sum_load, axis, axes)];
-    double* w = block.nodes + quantity(node_mapped_velocity, axis, axes) * tile_nodes;
+    double* w = block.nodes + tile_array(quantity(node_mapped_velocity, axis, axes));
     for (int i = 0; i < tile_nodes; ++i)
       if (mass[i] > block.least_mass && mass[i] < block.light_mass)
         w[i] += block.kick * std::clamp(load[i] / mass[i], -most, most);
@@ -231,9 +231,9 @@ void Executor::run_tile(std::size_t index, const Sweep& sweep, std::size_t threa
   const Tile& tile = tiles_.tiles()[index];
   if (tile.window < 0) return;
   if (sweep.mask) transfer_.load_window(*scratch_[thread], tiles_.nodes_around(tile), sweep.mask);
-  const int window_nodes = transfer_.layout.window_nodes;
+  const Layout& layout = transfer_.layout;
   double* sums = tiles_.sums(index);
-  std::fill_n(sums + sweep.first_sum * window_nodes, sweep.sums * window_nodes, 0.0);
+  std::fill_n(sums + layout.window_array(sweep.first_sum), layout.window_array(sweep.sums), 0.0);
   Block& block = blocks_[thread];
   place(block, tile, transfer_.layout);
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {

@@ -8,12 +8,12 @@ namespace trajan {
 ForceBalance force_balance(const NodeBlock& block, int axes) {
   ForceBalance balance;
   const NodeSums& sums = *block.collected;
-  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  const double* mass = block.nodes + tile_array(quantity_mass);
   for (int axis = 0; axis < axes; ++axis) {
     const double* force = sums.values[quantity(sum_force, axis, axes)];
     const double* load = sums.values[quantity(sum_load, axis, axes)];
     const double* momentum = sums.values[quantity(sum_momentum, axis, axes)];
-    const double* acceleration = block.nodes + quantity(node_acceleration, axis, axes) * tile_nodes;
+    const double* acceleration = block.nodes + tile_array(quantity(node_acceleration, axis, axes));
     for (int i = 0; i < tile_nodes; ++i) {
       if (!(mass[i] > block.least_mass)) continue;
       const double net = mass[i] * acceleration[i] + block.damping * momentum[i];
@@ -31,7 +31,7 @@ bool has_unborne_forces(const NodeBlock& block, int axes) {
   // What smooth functions leave to nodes of next to no mass is next to no force.
   constexpr double negligible = 1e-6;
   const NodeSums& sums = *block.collected;
-  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  const double* mass = block.nodes + tile_array(quantity_mass);
   double unborne = 0, borne = 0;
   for (int axis = 0; axis < axes; ++axis) {
     const double* force = sums.values[quantity(sum_force, axis, axes)];

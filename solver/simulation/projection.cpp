@@ -11,7 +11,7 @@ struct NodeVectors {
   double* nodes;
   int axes;
   double* operator()(NodeVector vector, int axis = 0) const {
-    return nodes + quantity(vector, axis, axes) * tile_nodes;
+    return nodes + tile_array(quantity(vector, axis, axes));
   }
 };
 
@@ -29,7 +29,7 @@ void start(const Projection& projection, const NodeVectors& vectors, double kick
 
 /// On nodes of at least this mass.
 void add_remainder(const NodeVectors& vectors, NodeVector into, double least_mass) {
-  const double* mass = vectors.nodes + quantity_mass * tile_nodes;
+  const double* mass = vectors.nodes + tile_array(quantity_mass);
   for (int axis = 0; axis < vectors.axes; ++axis) {
     const double* remainder = vectors(node_remainder, axis);
     double* sum = vectors(into, axis);

@@ -218,8 +218,8 @@ void Riders::advect(const Tiles& tiles, const Stencil& s, std::size_t p, double 
     const Owner at = owner(tiles, s.tile, s.node + corner(n));
     const double* nodes = tiles.nodes(at.tile) + at.node;
     for (int axis = 0; axis < axes_; ++axis) {
-      const double mapped = nodes[quantity(node_mapped_velocity, axis, axes_) * tile_nodes];
-      velocity[axis] += of_carrier[n] * nodes[quantity(node_velocity, axis, axes_) * tile_nodes] +
+      const double mapped = nodes[tile_array(quantity(node_mapped_velocity, axis, axes_))];
+      velocity[axis] += of_carrier[n] * nodes[tile_array(quantity(node_velocity, axis, axes_))] +
                         (of_point[n] - of_carrier[n]) * mapped;
       for (int along = 0; follow_ && along < axes_; ++along) gradient[axis][along] += slope[along][n] * mapped;
     }

@@ -8,7 +8,7 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// Numbers of one particle's table.
-constexpr int corner_table(int axes) { return (1 + axes) << 2 * axes; }
+constexpr std::ptrdiff_t corner_table(int axes) { return std::ptrdiff_t{1 + axes} << 2 * axes; }
 
 template <Layout L>
 struct CornerStencil {
@@ -16,24 +16,25 @@ struct CornerStencil {
   using Row = Four;
 
   __attribute__((always_inline)) CornerStencil(const RealScratch& s, RowParticles<1> of)
-      : table(s.stencils.data() + of.first * corner_table(D)) {}
+      : table_(s.stencils.data() + of.first * corner_table(D)) {}
   static constexpr int offset(int lane) { return lane; }
   __attribute__((always_inline)) static void add_row(double* to, Row row) { add(to, row); }
   template <class Function>
   __attribute__((always_inline)) void for_each_row(RowParticles<1>, Function&& of) const {
-    constexpr int quantity_size = 1 << 2 * D;
-    for (int row = 0; row < rows; ++row) {
+    constexpr std::ptrdiff_t quantity_size = 1 << 2 * D;
+    const Real* weights = table_;
+    for (int row = 0; row < rows; ++row, weights += 4) {
       Row slopes[D];
-      for (int a = 0; a < D; ++a) slopes[a] = load<Row>(table + (1 + a) * quantity_size + 4 * row);
+      for (int a = 0; a < D; ++a) slopes[a] = load<Row>(weights + (1 + a) * quantity_size);
       int at = 0;
       if constexpr (D > 1) at += row % 4 * L.window_stride(1);
       if constexpr (D > 2) at += row / 4 * L.window_stride(2);
-      of(at, load<Row>(table + 4 * row), slopes);
+      of(at, load<Row>(weights), slopes);
     }
   }
 
  private:
-  const Real* table;
+  const Real* table_;
 };
 
 /// Half the edges of a particle's parallelepiped, in cells: x = x_p + sum of edge[b] xi_b, |xi_b| <= 1.
@@ -86,7 +87,8 @@ struct ParticleEdges {
 /// the corners, averaged over the domain (Sadeghirad et al. 2011).
 template <int D>
 inline void tabulate(Block& block, int i) {
-  constexpr int quantity_size = 1 << 2 * D, corners = 1 << D;
+  constexpr int corners = 1 << D;
+  constexpr std::ptrdiff_t quantity_size = 1 << 2 * D;
   Real* table = scratch_of(block).stencils.data() + i * corner_table(D);
   for (int k = 0; k < corner_table(D); ++k) table[k] = 0;
   const ParticleEdges<D> edges(block, i);
@@ -128,7 +130,7 @@ template <class Shape, Layout L>
 inline constexpr TransferKernels corner_kernels_of = [] {
   TransferKernels kernels =
       transfer_kernels<Shape, L, CornerStencil<L>, &locate_corners<Shape, L>, &locate_corners<Shape, L>>;
-  kernels.stencil_size = block_size * corner_table(L.dimensions);
+  kernels.stencil_size = static_cast<int>(block_size * corner_table(L.dimensions));
   return kernels;
 }();
 

@@ -58,12 +58,12 @@ __attribute__((always_inline)) inline void gather(Block& block, const Gathered<P
   } else {
     using Row = typename Stencil::Row;
     const auto gather_one = [&](const auto& one) __attribute__((always_inline)) {
-      const Real* window = s.window.data() + quantity(one.vector, 0, D) * L.window_nodes;
+      const Real* window = s.window.data() + L.window_array(quantity(one.vector, 0, D));
       for (int i = 0; i < block.count; ++i) {
         Row sums[D][1 + D] = {};
         const auto add_row = [&](int at, Row w, const Row* slope) __attribute__((always_inline)) {
           for (int a = 0; a < D; ++a) {
-            const Row value = load<Row>(window + a * L.window_nodes + s.cell[i] + at);
+            const Row value = load<Row>(window + L.window_array(a) + s.cell[i] + at);
             sums[a][0] += w * value;
             for (int b = 0; b < D; ++b) sums[a][1 + b] += slope[b] * value;
           }

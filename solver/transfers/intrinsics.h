@@ -15,6 +15,13 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
+/// So many numbers.
+template <class Number, std::size_t count>
+struct VectorOf {
+  // GCC 12 forgets such an attribute of an alias.
+  typedef Number Type __attribute__((vector_size(count * sizeof(Number))));  // NOLINT(modernize-use-using)
+};
+
 namespace intrinsics {
 #ifdef __FMA__
 __attribute__((always_inline)) inline __m128d fused(__m128d a, __m128d b, __m128d c) {
@@ -42,13 +49,8 @@ __attribute__((always_inline)) inline __m512d widened(__m256 a) {
 #endif
 void fused(), widened();  // so that the names are there
 
-template <class Vector>
-struct HalfOf {
-  using Number = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>;
-  typedef Number Type __attribute__((vector_size(sizeof(Vector) / 2)));
-};
-template <class Vector>
-using Half = typename HalfOf<Vector>::Type;
+template <class Vector, class Number = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>>
+using Half = typename VectorOf<Number, sizeof(Vector) / sizeof(Number) / 2>::Type;
 }  // namespace intrinsics
 
 /// a b + c, rounded once where the instruction set has an instruction for that, which x86-64-v3 has, v4 too, and

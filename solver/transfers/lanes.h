@@ -37,7 +37,7 @@ class NodesOfRuns {
     }
   }
   __attribute__((always_inline)) Lanes operator[](int node) const {
-    Lanes values = spread<Lanes>(from_[0][node]);
+    auto values = spread<Lanes>(from_[0][node]);
 #pragma GCC unroll 4
     for (int r = 1; r < Runs; ++r) values = lanes_[r - 1].put(from_[r] + node, values);
     return values;
@@ -60,8 +60,8 @@ struct ProductLanes {
     for (int axis = 0; axis < D; ++axis)
 #pragma GCC unroll 4
       for (int n = 0; n < Nodes; ++n) {
-        weight[axis][n] = load<Lanes>(s.weight[axis][n].values + first);
-        slope[axis][n] = Slopes::template lanes<Lanes>(s, axis, n, first);
+        weight_[axis][n] = load<Lanes>(s.weight[axis][n].values + first);
+        slope_[axis][n] = Slopes::template lanes<Lanes>(s, axis, n, first);
       }
   }
 
@@ -74,21 +74,21 @@ struct ProductLanes {
     for (int n = 0; n < Nodes; ++n) {
       if constexpr (axis == 0) {
         const Lanes node = nodes[from + n];
-        sums[0] = n == 0 ? weight[0][n] * node : multiply_add(weight[0][n], node, sums[0]);
-        sums[1] = n == 0 ? slope[0][n] * node : multiply_add(slope[0][n], node, sums[1]);
+        sums[0] = n == 0 ? weight_[0][n] * node : multiply_add(weight_[0][n], node, sums[0]);
+        sums[1] = n == 0 ? slope_[0][n] * node : multiply_add(slope_[0][n], node, sums[1]);
       } else {
         Lanes inner[Axes];
         contract<axis>(nodes, from + n * L.window_stride(axis), inner);
 #pragma GCC unroll 3
         for (int s = 0; s < Axes; ++s)
-          sums[s] = n == 0 ? weight[axis][n] * inner[s] : multiply_add(weight[axis][n], inner[s], sums[s]);
-        sums[Axes] = n == 0 ? slope[axis][n] * inner[0] : multiply_add(slope[axis][n], inner[0], sums[Axes]);
+          sums[s] = n == 0 ? weight_[axis][n] * inner[s] : multiply_add(weight_[axis][n], inner[s], sums[s]);
+        sums[Axes] = n == 0 ? slope_[axis][n] * inner[0] : multiply_add(slope_[axis][n], inner[0], sums[Axes]);
       }
     }
   }
 
  private:
-  Lanes weight[D][Nodes], slope[D][Nodes];
+  Lanes weight_[D][Nodes], slope_[D][Nodes];
 };
 
 /// Two nodes along each axis: the weights are 1 - p and p, the slopes -1 and 1.
@@ -101,8 +101,8 @@ struct ProductLanes<2, L, ShapeSlopes> {
   __attribute__((always_inline)) ProductLanes(const RealScratch& s, int first) {
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) {
-      upper[axis] = load<Lanes>(s.place[axis].values + first);
-      lower[axis] = 1 - upper[axis];
+      upper_[axis] = load<Lanes>(s.place[axis].values + first);
+      lower_[axis] = 1 - upper_[axis];
     }
   }
 
@@ -111,20 +111,20 @@ struct ProductLanes<2, L, ShapeSlopes> {
     constexpr int axis = Axes - 1;
     if constexpr (axis == 0) {
       const Lanes left = nodes[from], right = nodes[from + 1];
-      sums[0] = multiply_add(upper[0], right, lower[0] * left);
+      sums[0] = multiply_add(upper_[0], right, lower_[0] * left);
       sums[1] = right - left;
     } else {
       Lanes below[Axes], above[Axes];
       contract<axis>(nodes, from, below);
       contract<axis>(nodes, from + L.window_stride(axis), above);
 #pragma GCC unroll 3
-      for (int s = 0; s < Axes; ++s) sums[s] = multiply_add(upper[axis], above[s], lower[axis] * below[s]);
+      for (int s = 0; s < Axes; ++s) sums[s] = multiply_add(upper_[axis], above[s], lower_[axis] * below[s]);
       sums[Axes] = above[0] - below[0];
     }
   }
 
  private:
-  Lanes lower[D], upper[D];
+  Lanes lower_[D], upper_[D];
 };
 
 template <class Stencil>

@@ -42,7 +42,7 @@ template <class Vector>
 struct LanesFrom {
   using Index = std::conditional_t<sizeof(std::declval<Vector&>()[0]) == 8, std::int64_t, std::int32_t>;
   static constexpr int lanes = sizeof(Vector) / sizeof(Index);
-  typedef Index Indices __attribute__((vector_size(sizeof(Vector))));
+  using Indices = typename VectorOf<Index, static_cast<std::size_t>(lanes)>::Type;
 
   explicit LanesFrom(int first = 0) {
 #pragma GCC unroll 16

@@ -16,7 +16,7 @@ inline void update_velocities(NodeBlock& block) {
   constexpr int D = L.dimensions;
   NodeSums& sums = *block.collected;
   for (int q = 0; q < block.sum_quantities; ++q) collect<L>(block.sums, q, sums.values[q]);
-  double* mass = block.nodes + quantity_mass * tile_nodes;
+  double* mass = block.nodes + tile_array(quantity_mass);
   alignas(64) double inverse[tile_nodes];
   for (int i = 0; i < tile_nodes; ++i) {
     mass[i] = sums.values[quantity_mass][i];
@@ -26,8 +26,8 @@ inline void update_velocities(NodeBlock& block) {
     const double* p = sums.values[quantity(sum_momentum, axis, D)];
     const double* f = sums.values[quantity(sum_force, axis, D)];
     const double* load = sums.values[quantity(sum_load, axis, D)];
-    double* a = block.nodes + quantity(node_acceleration, axis, D) * tile_nodes;
-    double* u = block.nodes + quantity(node_velocity, axis, D) * tile_nodes;
+    double* a = block.nodes + tile_array(quantity(node_acceleration, axis, D));
+    double* u = block.nodes + tile_array(quantity(node_velocity, axis, D));
     const double kick = block.kick, damping = block.damping;
     for (int i = 0; i < tile_nodes; ++i) {
       a[i] = (f[i] + load[i] - damping * p[i]) * inverse[i];
@@ -45,8 +45,8 @@ inline void account(NodeBlock& block) {
   for (int axis = 0; axis < D; ++axis) {
     const double* p = sums.values[quantity(sum_momentum, axis, D)];
     const double* load = sums.values[quantity(sum_load, axis, D)];
-    const double* a = block.nodes + quantity(node_acceleration, axis, D) * tile_nodes;
-    const double* u = block.nodes + quantity(node_velocity, axis, D) * tile_nodes;
+    const double* a = block.nodes + tile_array(quantity(node_acceleration, axis, D));
+    const double* u = block.nodes + tile_array(quantity(node_velocity, axis, D));
     for (int i = 0; i < tile_nodes; ++i) {
       const double mean = u[i] - 0.5 * block.kick * a[i];
       work += load[i] * mean;
@@ -62,11 +62,11 @@ template <Layout L>
 inline void map_velocities(NodeBlock& block) {
   constexpr int D = L.dimensions;
   alignas(64) double p[tile_nodes];
-  double* mass = block.nodes + quantity_mass * tile_nodes;
+  double* mass = block.nodes + tile_array(quantity_mass);
   if (block.collect_mass) collect<L>(block.sums, quantity_mass, mass);
   for (int axis = 0; axis < D; ++axis) {
     collect<L>(block.sums, quantity(sum_momentum, axis, D), p);
-    double* w = block.nodes + quantity(node_mapped_velocity, axis, D) * tile_nodes;
+    double* w = block.nodes + tile_array(quantity(node_mapped_velocity, axis, D));
     for (int i = 0; i < tile_nodes; ++i) w[i] = mass[i] > block.least_mass ? p[i] / mass[i] : 0;
   }
 }
@@ -76,11 +76,11 @@ inline void map_velocities(NodeBlock& block) {
 /// velocities are final.
 template <int D>
 inline void calm_light_nodes(NodeBlock& block) {
-  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  const double* mass = block.nodes + tile_array(quantity_mass);
   for (int axis = 0; axis < D; ++axis) {
-    const double* a = block.nodes + quantity(node_acceleration, axis, D) * tile_nodes;
-    const double* u = block.nodes + quantity(node_velocity, axis, D) * tile_nodes;
-    double* w = block.nodes + quantity(node_mapped_velocity, axis, D) * tile_nodes;
+    const double* a = block.nodes + tile_array(quantity(node_acceleration, axis, D));
+    const double* u = block.nodes + tile_array(quantity(node_velocity, axis, D));
+    double* w = block.nodes + tile_array(quantity(node_mapped_velocity, axis, D));
     for (int i = 0; i < tile_nodes; ++i) {
       const bool light = mass[i] > block.least_mass && mass[i] < block.light_mass;
       w[i] = light ? u[i] - block.kick * a[i] : u[i];

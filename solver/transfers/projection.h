@@ -24,10 +24,10 @@ inline void remap(Block& block) {
 template <Layout L>
 inline void reduce_remainder(NodeBlock& block) {
   alignas(64) double p[tile_nodes];
-  const double* mass = block.nodes + quantity_mass * tile_nodes;
+  const double* mass = block.nodes + tile_array(quantity_mass);
   for (int axis = 0; axis < L.dimensions; ++axis) {
     collect<L>(block.sums, quantity(sum_momentum, axis, L.dimensions), p);
-    double* r = block.nodes + quantity(node_remainder, axis, L.dimensions) * tile_nodes;
+    double* r = block.nodes + tile_array(quantity(node_remainder, axis, L.dimensions));
     for (int i = 0; i < tile_nodes; ++i) r[i] = mass[i] > block.least_mass ? r[i] - p[i] / mass[i] : 0;
   }
 }

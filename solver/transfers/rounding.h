@@ -41,7 +41,7 @@ class RoundingTo {
     } else {
       // Rounded to the nearest of what has been moved by up to half of the last bit of the value.
       constexpr std::uint32_t exponent = 0x7F800000;
-      const float power = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & exponent);
+      const auto power = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & exponent);
       const float moved = 0x1p-55F * static_cast<float>(static_cast<std::int32_t>(share(i)));
       return value + multiply_add(power, moved, change);
     }

@@ -66,7 +66,7 @@ inline void scatter_state(Block& block) {
         };
       },
       [sums = block.sums](int q, std::int64_t at, Row row) __attribute__((always_inline)) {
-        Stencil::add_row(sums + q * L.window_nodes + at, q < quantity(sum_force, 0, D) ? row : -row);
+        Stencil::add_row(sums + L.window_array(q) + at, q < quantity(sum_force, 0, D) ? row : -row);
       });
 }
 

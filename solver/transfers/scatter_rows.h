@@ -44,10 +44,10 @@ __attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& giv
 /// The same with one sum for each of so many quantities from `first` on.
 template <class Stencil, Layout L, int Quantities, class Give>
 __attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give) {
-  double* sums = block.sums + first * L.window_nodes;
+  double* sums = block.sums + L.window_array(first);
   scatter_rows<Stencil, Quantities>(
       block, give, [=](int q, std::int64_t at, auto row) __attribute__((always_inline)) {
-        Stencil::add_row(sums + q * L.window_nodes + at, row);
+        Stencil::add_row(sums + L.window_array(q) + at, row);
       });
 }
 

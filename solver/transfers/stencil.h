@@ -16,9 +16,9 @@ struct ProductStencil<2, L, Slopes...> {
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) {
       const Row place = spread<Row>(s.place[axis].values[i]);
-      factor[axis] = multiply_add(along(axis, -1, 1), place, along(axis, 1, 0));
+      factor_[axis] = multiply_add(along(axis, -1, 1), place, along(axis, 1, 0));
       int kind = 0;
-      ((slope[kind++][axis] = slope_along<Slopes>(s, axis, i)), ...);
+      ((slope_[kind++][axis] = slope_along<Slopes>(s, axis, i)), ...);
     }
   }
 
@@ -41,18 +41,18 @@ struct ProductStencil<2, L, Slopes...> {
     for (int kind = 0; kind < kinds; ++kind) {
       Row* const out = slopes + D * kind;
       if constexpr (D == 1) {
-        out[0] = slope[kind][0];
+        out[0] = slope_[kind][0];
       } else if constexpr (D == 2) {
-        out[0] = slope[kind][0] * factor[1];
-        out[1] = factor[0] * slope[kind][1];
+        out[0] = slope_[kind][0] * factor_[1];
+        out[1] = factor_[0] * slope_[kind][1];
       } else {
-        out[0] = slope[kind][0] * (factor[1] * factor[2]);
-        out[1] = slope[kind][1] * (factor[0] * factor[2]);
-        out[2] = slope[kind][2] * (factor[0] * factor[1]);
+        out[0] = slope_[kind][0] * (factor_[1] * factor_[2]);
+        out[1] = slope_[kind][1] * (factor_[0] * factor_[2]);
+        out[2] = slope_[kind][2] * (factor_[0] * factor_[1]);
       }
     }
-    Row weight = factor[0];
-    for (int axis = 1; axis < D; ++axis) weight *= factor[axis];
+    Row weight = factor_[0];
+    for (int axis = 1; axis < D; ++axis) weight *= factor_[axis];
     of(0, weight, slopes);
   }
 
@@ -72,7 +72,7 @@ struct ProductStencil<2, L, Slopes...> {
       return along(axis, Kind::along(s, axis)[0].values[i], Kind::along(s, axis)[1].values[i]);
   }
 
-  Row factor[D], slope[kinds][D];
+  Row factor_[D], slope_[kinds][D];
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -9,15 +9,9 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-typedef Real Pair __attribute__((vector_size(2 * sizeof(Real))));
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
-
-/// So many numbers.
-template <class Number, std::size_t count>
-struct VectorOf {
-  typedef Number Type __attribute__((vector_size(count * sizeof(Number))));
-};
+using Pair = VectorOf<Real, 2>::Type;
+using Four = VectorOf<Real, 4>::Type;
+using Eight = VectorOf<Real, 8>::Type;
 
 template <class Number, class Value>
 __attribute__((always_inline)) inline auto converted(Value value) {

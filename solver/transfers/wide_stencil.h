@@ -23,9 +23,9 @@ struct ProductStencil {
 
   template <class Particles>
   __attribute__((always_inline)) ProductStencil(const RealScratch& s, Particles of)
-      : scratch(s),
-        weight_x(of.template row<Row>(s.weight[0], Nodes)),
-        slope_x{of.template row<Row>(Slopes::along(s, 0), Nodes)...} {}
+      : scratch_(s),
+        weight_x_(of.template row<Row>(s.weight[0], Nodes)),
+        slope_x_{of.template row<Row>(Slopes::along(s, 0), Nodes)...} {}
 
   /// Which node of its row a lane is.
   static constexpr int offset(int lane) { return lane / together; }
@@ -40,38 +40,38 @@ struct ProductStencil {
     const auto factor = [particles](const RealArray& values) __attribute__((always_inline)) {
       return particles.template factor<Row>(values.values);
     };
-    using Factor = decltype(factor(scratch.weight[0][0]));
+    using Factor = decltype(factor(scratch_.weight[0][0]));
     Row slopes[D * kinds];
     if constexpr (D == 1) {
-      of(0, weight_x, slope_x);
+      of(0, weight_x_, slope_x_);
     } else if constexpr (D == 2) {
 #pragma GCC unroll 4
       for (int j = 0; j < Nodes; ++j) {
-        const Factor w = factor(scratch.weight[1][j]);
-        const Factor slope[] = {factor(Slopes::along(scratch, 1)[j])...};
+        const Factor w = factor(scratch_.weight[1][j]);
+        const Factor slope[] = {factor(Slopes::along(scratch_, 1)[j])...};
 #pragma GCC unroll 2
         for (int kind = 0; kind < kinds; ++kind) {
-          slopes[D * kind] = slope_x[kind] * w;
-          slopes[D * kind + 1] = weight_x * slope[kind];
+          slopes[D * kind] = slope_x_[kind] * w;
+          slopes[D * kind + 1] = weight_x_ * slope[kind];
         }
-        of(j * L.window_stride(1), weight_x * w, slopes);
+        of(j * L.window_stride(1), weight_x_ * w, slopes);
       }
     } else {
 #pragma GCC unroll 4
       for (int k = 0; k < Nodes; ++k) {
-        const Factor wz = factor(scratch.weight[2][k]);
-        const Row weight_xz = weight_x * wz;
+        const Factor wz = factor(scratch_.weight[2][k]);
+        const Row weight_xz = weight_x_ * wz;
         Row slope_xz[2 * kinds];
-        const Factor slope_z[] = {factor(Slopes::along(scratch, 2)[k])...};
+        const Factor slope_z[] = {factor(Slopes::along(scratch_, 2)[k])...};
 #pragma GCC unroll 2
         for (int kind = 0; kind < kinds; ++kind) {
-          slope_xz[2 * kind] = slope_x[kind] * wz;
-          slope_xz[2 * kind + 1] = weight_x * slope_z[kind];
+          slope_xz[2 * kind] = slope_x_[kind] * wz;
+          slope_xz[2 * kind + 1] = weight_x_ * slope_z[kind];
         }
 #pragma GCC unroll 4
         for (int j = 0; j < Nodes; ++j) {
-          const Factor wy = factor(scratch.weight[1][j]);
-          const Factor slope_y[] = {factor(Slopes::along(scratch, 1)[j])...};
+          const Factor wy = factor(scratch_.weight[1][j]);
+          const Factor slope_y[] = {factor(Slopes::along(scratch_, 1)[j])...};
 #pragma GCC unroll 2
           for (int kind = 0; kind < kinds; ++kind) {
             slopes[D * kind] = slope_xz[2 * kind] * wy;
@@ -85,8 +85,8 @@ struct ProductStencil {
   }
 
  private:
-  const RealScratch& scratch;
-  Row weight_x, slope_x[kinds];
+  const RealScratch& scratch_;
+  Row weight_x_, slope_x_[kinds];
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

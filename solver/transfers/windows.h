@@ -30,7 +30,7 @@ template <Layout L>
 __attribute__((always_inline)) inline TileRow<L> add_row(const double* left, const double* middle,
                                                          const double* right, TileRow<L> sum) {
   constexpr int side = L.side;
-  TileRow<L> outer = load_lanes<TileRow<L>, 0, L.above>(left + L.below + side);
+  auto outer = load_lanes<TileRow<L>, 0, L.above>(left + L.below + side);
   if constexpr (L.below > 0) outer += load_lanes<TileRow<L>, side - L.below, side>(right - (side - L.below));
   return sum + load<TileRow<L>>(middle + L.below) + outer;
 }
@@ -49,7 +49,7 @@ inline void collect(const Neighbours& sums, int which, double* __restrict out) {
         for (int y = -1; y <= 1; ++y) {
           if (!covers(j, y)) continue;
           const double* const* from = &sums[(L.dimensions > 2 ? 9 * (z + 1) : 0) + 3 * (y + 1)];
-          int at = which * L.window_nodes + (j + Overlap(L, y).shift) * L.window_stride(1);
+          std::ptrdiff_t at = L.window_array(which) + (j + Overlap(L, y).shift) * L.window_stride(1);
           if (L.dimensions > 2) at += (k + Overlap(L, z).shift) * L.window_stride(2);
           sum = add_row<L>(from[0] + at, from[1] + at, from[2] + at, sum);
         }
@@ -63,7 +63,7 @@ requires(L.dimensions == 1) inline void collect(const Neighbours& sums, int whic
   for (int i = 0; i < tile_nodes; ++i) out[i] = 0;
   for (int n = 0; n < L.neighbours; ++n) {
     const Overlap x(L, n - 1);
-    const double* row = sums[n] + which * L.window_nodes + x.shift;
+    const double* row = sums[n] + L.window_array(which) + x.shift;
     for (int i = x.begin; i < x.end; ++i) out[i] += row[i];
   }
 }
@@ -83,12 +83,12 @@ inline void load_window(Scratch& scratch, const Neighbours& nodes, unsigned mask
   constexpr int D = L.dimensions, side = L.side;
   for (int q = 0; mask >> q; ++q) {
     if (!(mask >> q & 1u)) continue;
-    Real* to = window + q * L.window_nodes;
+    Real* to = window + L.window_array(q);
     for (int k = 0; k < (D > 2 ? L.window_side : 1); ++k)
       for (int j = 0; j < (D > 1 ? L.window_side : 1); ++j, to += L.window_side) {
         const RowOfTile y(L, j), z(L, k);
         const double* const* from = &nodes[(D > 2 ? 9 * z.tile : 0) + (D > 1 ? 3 * y.tile : 0)];
-        int at = q * tile_nodes;
+        std::ptrdiff_t at = tile_array(q);
         if constexpr (D > 1) at += y.row * L.tile_stride(1);
         if constexpr (D > 2) at += z.row * L.tile_stride(2);
         for (int i = 0; i < L.below; ++i) to[i] = Real(from[0][at + side - L.below + i]);
