@@ -118,7 +118,8 @@ std::int32_t Discretization::neighbour(std::size_t n, int axis, int steps) const
   const int middle = layout.neighbours / 2;
   for (i += steps; tile >= 0 && (i < 0 || i >= layout.side);) {
     const int side = i < 0 ? -1 : 1;
-    tile = tiles_.tiles()[static_cast<std::size_t>(tile)].around[static_cast<std::size_t>(middle + side * stride)];
+    const int other = middle + side * stride;
+    tile = tiles_.tiles()[static_cast<std::size_t>(tile)].around[static_cast<std::size_t>(other)];
     i -= side * layout.side;
   }
   return tile < 0 ? -1 : number(static_cast<std::size_t>(tile), rest + i * layout.tile_stride(axis));

@@ -5,7 +5,7 @@
 namespace trajan {
 
 /// Nodes along an axis that functions see, at most.
-inline constexpr int most_nodes_along = 4;
+inline constexpr std::size_t most_nodes_along = 4;
 
 /// What shape functions are at a place of a surface, along one axis and in cells.
 struct PointFunctions {

@@ -49,12 +49,14 @@ inline void collect(const Neighbours& sums, int which, double* __restrict out) {
         for (int y = -1; y <= 1; ++y) {
           if (!covers(j, y)) continue;
           const double* const* from = &sums[(L.dimensions > 2 ? 9 * (z + 1) : 0) + 3 * (y + 1)];
-          std::ptrdiff_t at = L.window_array(which) + (j + Overlap(L, y).shift) * L.window_stride(1);
-          if (L.dimensions > 2) at += (k + Overlap(L, z).shift) * L.window_stride(2);
+          int row = (j + Overlap(L, y).shift) * L.window_stride(1);
+          if (L.dimensions > 2) row += (k + Overlap(L, z).shift) * L.window_stride(2);
+          const std::ptrdiff_t at = L.window_array(which) + row;
           sum = add_row<L>(from[0] + at, from[1] + at, from[2] + at, sum);
         }
       }
-      store(out + j * L.tile_stride(1) + k * L.tile_stride(2), sum);
+      const int row = j * L.tile_stride(1) + k * L.tile_stride(2);
+      store(out + row, sum);
     }
 }
 
@@ -88,9 +90,10 @@ inline void load_window(Scratch& scratch, const Neighbours& nodes, unsigned mask
       for (int j = 0; j < (D > 1 ? L.window_side : 1); ++j, to += L.window_side) {
         const RowOfTile y(L, j), z(L, k);
         const double* const* from = &nodes[(D > 2 ? 9 * z.tile : 0) + (D > 1 ? 3 * y.tile : 0)];
-        std::ptrdiff_t at = tile_array(q);
-        if constexpr (D > 1) at += y.row * L.tile_stride(1);
-        if constexpr (D > 2) at += z.row * L.tile_stride(2);
+        int row = 0;
+        if constexpr (D > 1) row += y.row * L.tile_stride(1);
+        if constexpr (D > 2) row += z.row * L.tile_stride(2);
+        const std::ptrdiff_t at = tile_array(q) + row;
         for (int i = 0; i < L.below; ++i) to[i] = Real(from[0][at + side - L.below + i]);
         if constexpr (D > 1) {
           store(to + L.below, load<TileRow<L>>(from[1] + at));
