@@ -101,11 +101,16 @@ Scene slab(Dimension dimension) {
   return scene;
 }
 
-class WideBody : public testing::TestWithParam<Dimension> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, WideBody, testing::Values(Dimension::plane_strain, Dimension::solid));
+class WideBody : public testing::TestWithParam<std::tuple<Dimension, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(DimensionsAndSchemes, WideBody,
+                         testing::Combine(testing::Values(Dimension::plane_strain, Dimension::solid),
+                                          testing::Values("MUSL", "TLMPM")));
 
 TEST_P(WideBody, HasTheSameBitsOnAnyNumberOfThreads) {
-  expect_same_bits_on_any_number_of_threads(validate(slab(GetParam())));
+  const auto& [dimension, scheme] = GetParam();
+  Scene scene = slab(dimension);
+  scene.numerics.scheme = scheme;
+  expect_same_bits_on_any_number_of_threads(validate(scene));
 }
 
 TEST(Stopping, EndsTheRunWhenItIsAskedTo) {
