@@ -53,12 +53,6 @@ struct Layout {
   /// Distance in memory of neighbouring nodes along an axis.
   constexpr int tile_stride(int axis) const { return power(side, axis); }
   constexpr int window_stride(int axis) const { return power(window_side, axis); }
-  /// Node of a window whose index along every axis is that of a cell: the cell's lower corner.
-  constexpr int corner_offset() const {
-    int sum = 0;
-    for (int axis = 0; axis < dimensions; ++axis) sum += (below - 1) * window_stride(axis);
-    return sum;
-  }
 
  private:
   static constexpr int power(int base, int exponent) {
