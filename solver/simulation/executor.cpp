@@ -25,11 +25,16 @@ Period period_of(const Grid& grid) {
   return period;
 }
 
-/// What is at surfaces may lie in other cells than the particles that carry it.
+/// Whether nodes get something from their own body's particles alone: nothing at surfaces, which may lie in other
+/// cells than the particles that carry it, no contact, no images.
+bool get_from_particles_alone(const Model& model, const Conditions& conditions, const Loads& loads) {
+  return !conditions.on_surfaces() && !loads.on_surfaces() && model.contacts.fields < 2 &&
+         !period_of(model.grid).any();
+}
+
 Margin margin_of(const Model& model, const Conditions& conditions, const Loads& loads) {
-  const bool none = is_total_lagrangian(model.numerics.scheme) && !conditions.on_surfaces() &&
-                    !loads.on_surfaces() && model.contacts.fields < 2 && !period_of(model.grid).any();
-  return none ? Margin::none : Margin::one_cell;
+  const bool stay = is_total_lagrangian(model.numerics.scheme);
+  return stay && get_from_particles_alone(model, conditions, loads) ? Margin::none : Margin::one_cell;
 }
 
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
@@ -119,8 +124,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
     gaps_ = std::make_unique<SurfaceGaps>(model, tiles_, bodies_, sweep_);
     conditions_.measure_gaps_by(*gaps_);
   }
-  by_wave_ = !conditions_.on_surfaces() && model.contacts.fields < 2 && !gaps_ && !loads_.on_surfaces() &&
-             !tiles_.period().any();
+  by_wave_ = get_from_particles_alone(model, conditions_, loads_) && !gaps_;
   accounts_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
               !model.outputs.reactions.empty();
   for (int thread = 0; thread < threads; ++thread) scratch_.push_back(make_scratch(model, transfer_, bodies_));
