@@ -1,6 +1,7 @@
 #include "solver/loads/loads.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "solver/simulation/particles.h"
 
@@ -37,6 +38,33 @@ Loads::Loads(const Model& model)
 void Loads::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
   for (Riders& riders : riders_) riders.bind(bodies, tiles);
   loaded_.bind(tiles);
+  lasting_.assign(riders_.size(), {});
+  for (std::size_t i = 0; i < riders_.size(); ++i)
+    if (lasts(i)) find_lasting(i, bodies, tiles);
+}
+
+bool Loads::lasts(std::size_t load) const {
+  const Riders& riders = riders_[load];
+  return riders.total_lagrangian() && !riders.follow() && !riders.functions().averaged;
+}
+
+void Loads::find_lasting(std::size_t load, const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
+  std::vector<NodeForce>& all = lasting_[load];
+  for (std::size_t p = 0; p < riders_[load].size(); ++p)
+    give(load, p, riders_[load].stencil(tiles, bodies, p), [&](const NodeForce& one) { all.push_back(one); });
+  const auto place = [](const NodeForce& one) { return std::pair(one.tile, one.node); };
+  std::ranges::stable_sort(all, {}, place);
+  std::size_t nodes = 0;
+  for (const NodeForce& one : all) {
+    if (nodes > 0 && place(all[nodes - 1]) == place(one)) {
+      Vector& sum = all[nodes - 1].force;
+      sum = {sum.x + one.force.x, sum.y + one.force.y, sum.z + one.force.z};
+    } else {
+      all[nodes++] = one;
+    }
+  }
+  all.resize(nodes);
+  all.shrink_to_fit();
 }
 
 void Loads::prepare(std::vector<BodyParticles>& bodies, double time) {
@@ -53,32 +81,44 @@ void Loads::prepare(std::vector<BodyParticles>& bodies, double time) {
   }
 }
 
+/// Calls of(NodeForce) for each node that a point's force goes to, for a factor of one.
+template <class Of>
+void Loads::give(std::size_t load, std::size_t p, const Riders::Stencil& stencil, Of&& of) const {
+  const Riders& riders = riders_[load];
+  const LoadPoint& point = model_.surface_loads[load].points[p];
+  Vector force = point.force;
+  if (riders.follow()) {
+    const Vector area = riders.area(p);
+    force = {-point.pressure * area.x, -point.pressure * area.y, -point.pressure * area.z};
+  }
+  const Riders::Values weights = riders.weights(stencil, stencil.of_point);
+  for (int n = 0; n < riders.corners(); ++n)
+    of(NodeForce{stencil.tile,
+                 stencil.node + riders.corner(n),
+                 {weights[n] * force.x, weights[n] * force.y, weights[n] * force.z}});
+}
+
+Riders::Stencil Loads::stencil_of_force(std::size_t load, std::size_t p, Tiles& tiles,
+                                        const std::vector<BodyParticles>& bodies) const {
+  const Riders& riders = riders_[load];
+  Riders::Stencil s = riders.stencil(tiles, bodies, p, Riders::Of::force);
+  if (!riders.functions().averaged) return s;
+  const double* mass = tiles.sums(s.tile) + tiles.layout().window_array(quantity_mass) + s.node;
+  return reaches_mass(mass, riders, riders.weights(s, s.of_point)) ? s : riders.stencil(tiles, bodies, p);
+}
+
 void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) {
   const Layout& layout = tiles.layout();
   loaded_.clear(tiles);
   for (std::size_t i = 0; i < riders_.size(); ++i) {
-    const SurfaceLoad& load = model_.surface_loads[i];
-    for (std::size_t p = 0; p < load.points.size(); ++p) {
-      const LoadPoint& point = load.points[p];
-      Vector force = point.force;
-      if (load.follows) {
-        const Vector area = riders_[i].area(p);
-        force = {-point.pressure * area.x, -point.pressure * area.y, -point.pressure * area.z};
-      }
-      Riders::Stencil s = riders_[i].stencil(tiles, bodies, p, Riders::Of::force);
-      Riders::Values weights = riders_[i].weights(s, s.of_point);
-      const double* mass = tiles.sums(s.tile) + layout.window_array(quantity_mass) + s.node;
-      if (riders_[i].functions().averaged && !reaches_mass(mass, riders_[i], weights)) {
-        s = riders_[i].stencil(tiles, bodies, p);
-        weights = riders_[i].weights(s, s.of_point);
-      }
-      double* of_tile = loaded_.sums(tiles, s.tile);
-      for (int axis = 0; axis < axes_; ++axis) {
-        double* sums = of_tile + layout.window_array(axis) + s.node;
-        for (int n = 0; n < riders_[i].corners(); ++n)
-          sums[riders_[i].corner(n)] += weights[n] * factors_[i] * component(force, axis);
-      }
-    }
+    const auto add = [&](const NodeForce& one) {
+      double* sums = loaded_.sums(tiles, one.tile) + one.node;
+      for (int axis = 0; axis < axes_; ++axis)
+        sums[layout.window_array(axis)] += factors_[i] * component(one.force, axis);
+    };
+    for (const NodeForce& one : lasting_[i]) add(one);
+    for (std::size_t p = 0; !lasts(i) && p < riders_[i].size(); ++p)
+      give(i, p, stencil_of_force(i, p, tiles, bodies), add);
   }
 }
 

@@ -39,11 +39,28 @@ class Loads {
   std::vector<Riders>& riders() { return riders_; }
 
  private:
+  /// A force on a node of a tile's window.
+  struct NodeForce {
+    std::uint32_t tile;
+    int node;
+    Vector force;
+  };
+  template <class Of>
+  void give(std::size_t load, std::size_t p, const Riders::Stencil& stencil, Of&& of) const;
+  Riders::Stencil stencil_of_force(std::size_t load, std::size_t p, Tiles& tiles,
+                                   const std::vector<BodyParticles>& bodies) const;
+  /// Whether a surface load's points, and the nodes of their carriers, stay where they are.
+  bool lasts(std::size_t load) const;
+  void find_lasting(std::size_t load, const std::vector<BodyParticles>& bodies, const Tiles& tiles);
+
   const Model& model_;
   int axes_;                    ///< of the grid
   std::vector<Riders> riders_;  ///< by surface load
   BodyFields fields_;
   LoadedTiles loaded_;
+  /// By surface load that lasts, for a factor of one: found once, with one force for all points around a node.
+  /// With a load on one of a cube's faces 10^5 particles take 51 -> 45 ns per particle and step.
+  std::vector<std::vector<NodeForce>> lasting_;
   std::vector<double> factors_;  ///< by surface load
 };
 
