@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/executor.h"
 
@@ -147,6 +148,8 @@ void plan_sweeps(const Model& model, Executor& executor, ModelPlan& plan) {
 void rehearse(const Model& model, ModelPlan& plan) {
   const Model empty = emptied(model);
   Executor executor(empty, 1, Executor::Filling::nothing);
+  // What a run may need: it begins with less.
+  if (!is_total_lagrangian(model.numerics.scheme)) executor.expect_drift();
   plan_particles(model, executor, plan);
   plan_nodes(model, executor, plan);
   plan_grid(model, executor, plan);

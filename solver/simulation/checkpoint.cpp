@@ -100,7 +100,8 @@ Checkpoint Simulation::save() {
   checkpoint.arrays.push_back({"tiles", pack(executor_.tiles())});
   checkpoint.arrays.push_back({"blocks", pack(executor_.tiles().blocks())});
   const ParticleOrder& order = executor_.order();
-  checkpoint.arrays.push_back({"order", std::vector<std::int64_t>{order.sorted, order.now}});
+  const bool drift = executor_.tiles().layout().margin == Margin::one_cell;
+  checkpoint.arrays.push_back({"order", std::vector<std::int64_t>{order.sorted, order.now, drift}});
   checkpoint.arrays.push_back({"surface_points", surface_points(executor_.riders())});
   const Account& account = executor_.account();
   checkpoint.arrays.push_back({"reactions", pack(account.reactions())});
@@ -132,10 +133,11 @@ Simulation::Simulation(const Model& model, int threads, const Checkpoint& checkp
     const auto& numbers = checkpoint_array<std::int64_t>(checkpoint, array_name(b, "number"));
     body.number.assign(numbers.begin(), numbers.end());
   }
+  const auto& order = checkpoint_array<std::int64_t>(checkpoint, "order");
+  if (order.at(2) != 0) executor_.expect_drift();
   unpack(checkpoint, executor_.bodies(), executor_.tiles());
   restore(checkpoint_array<double>(checkpoint, "surface_points"), executor_.riders());
   executor_.bind();
-  const auto& order = checkpoint_array<std::int64_t>(checkpoint, "order");
   executor_.order() = {order[0], order[1]};
   stepper_ = make_stepper(model, executor_, &checkpoint);
   const auto& energies = checkpoint_array<double>(checkpoint, "energies");

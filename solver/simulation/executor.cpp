@@ -8,34 +8,12 @@
 #include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/diverged.h"
+#include "solver/simulation/grid_choice.h"
 #include "solver/simulation/kinks.h"
 #include "solver/simulation/make_scratch.h"
 
 namespace trajan {
 namespace {
-
-const TransferKernels& choose(const Transfer& transfer, const TransferKernels& kernels) {
-  return transfer.general && kernels.general ? *kernels.general : kernels;
-}
-
-Period period_of(const Grid& grid) {
-  Period period;
-  for (std::size_t axis = 0; axis < period.cells.size(); ++axis)
-    if (grid.periodic[axis]) period.cells[axis] = static_cast<std::int32_t>(grid.cells()[axis]);
-  return period;
-}
-
-/// Whether nodes get something from their own body's particles alone: nothing at surfaces, which may lie in other
-/// cells than the particles that carry it, no contact, no images.
-bool get_from_particles_alone(const Model& model, const Conditions& conditions, const Loads& loads) {
-  return !conditions.on_surfaces() && !loads.on_surfaces() && model.contacts.fields < 2 &&
-         !period_of(model.grid).any();
-}
-
-Margin margin_of(const Model& model, const Conditions& conditions, const Loads& loads) {
-  const bool stay = is_total_lagrangian(model.numerics.scheme);
-  return stay && get_from_particles_alone(model, conditions, loads) ? Margin::none : Margin::one_cell;
-}
 
 /// Nodes with less than this share of the lightest particle's mass carry nothing but rounding.
 constexpr double least_mass_share = 1e-18;
@@ -89,8 +67,7 @@ Executor::Executor(const Model& model, int threads, Filling filling)
     : model_(model),
       rehearsal_(filling == Filling::nothing),
       axes_(grid_axes(model.dimension)),
-      kernels_(kernels().grid(model.numerics)),
-      motion_(kernels_.motion[axes_ - 1]),
+      motion_(kernels().grid(model.numerics).motion[axes_ - 1]),
       transfer_kind_(*find_transfer(model.numerics.transfer)),
       pool_(threads),
       loop_(pool_),
@@ -98,11 +75,9 @@ Executor::Executor(const Model& model, int threads, Filling filling)
       conditions_(model),
       contacts_(model, threads),
       loads_(model),
-      transfer_(choose(transfer_kind_, *kernels_.transfer(model.numerics.shape_functions, model.dimension,
-                                                          margin_of(model, conditions_, loads_)))),
-      tiles_(transfer_.layout, node_quantities(), quantities(loads_.none() ? sum_load : sum_vectors, axes_),
-             period_of(model.grid)),
-      sweeps_(model, transfer_kind_, transfer_,
+      transfer_(&transfer_kernels(model, first_margin(model, conditions_, loads_))),
+      tiles_(make_tiles(model, *transfer_)),
+      sweeps_(model, transfer_kind_, *transfer_,
               loads_.are_everywhere() ? tiles_.sum_quantities() : quantities(sum_load, axes_)),
       account_(model) {
   if (!rehearsal_) add_particles(model, bodies_);
@@ -127,13 +102,21 @@ Executor::Executor(const Model& model, int threads, Filling filling)
   by_wave_ = get_from_particles_alone(model, conditions_, loads_) && !gaps_;
   accounts_ = !loads_.none() || model.damping > 0 || conditions_.work() || model.contacts.fields > 1 ||
               !model.outputs.reactions.empty();
-  for (int thread = 0; thread < threads; ++thread) scratch_.push_back(make_scratch(model, transfer_, bodies_));
+  for (int thread = 0; thread < threads; ++thread) scratch_.push_back(make_scratch(model, *transfer_, bodies_));
 }
 
 Executor::~Executor() = default;
 
+void Executor::expect_drift() {
+  if (transfer_->layout.margin == Margin::one_cell) return;
+  transfer_ = &transfer_kernels(model_, Margin::one_cell);
+  tiles_ = make_tiles(model_, *transfer_);
+  sweeps_.use(*transfer_, bodies_);
+  for (auto& scratch : scratch_) scratch = make_scratch(model_, *transfer_, bodies_);
+}
+
 void Executor::sort() {
-  sort_into_tiles(model_.grid, transfer_.staggered, bodies_, tiles_, pool_);
+  sort_into_tiles(model_.grid, transfer_->staggered, bodies_, tiles_, pool_);
   ++sortings_;
   order_ = {};
   bind();
@@ -208,6 +191,7 @@ void Executor::run(std::span<const Pass> passes, const NodeWork& work) {
   }
   // What has been scattered from clamped places is worthless, and so is what nodes have made of it; the particles
   // themselves are right.
+  expect_drift();
   sort();
   run(passes.subspan(before_last), work);
 }
@@ -234,12 +218,12 @@ Trouble Executor::sweep_tiles(const Sweep& sweep, const NodeWork& work) {
 void Executor::run_tile(std::size_t index, const Sweep& sweep, std::size_t thread) {
   const Tile& tile = tiles_.tiles()[index];
   if (tile.window < 0) return;
-  if (sweep.mask) transfer_.load_window(*scratch_[thread], tiles_.nodes_around(tile), sweep.mask);
-  const Layout& layout = transfer_.layout;
+  if (sweep.mask) transfer_->load_window(*scratch_[thread], tiles_.nodes_around(tile), sweep.mask);
+  const Layout& layout = transfer_->layout;
   double* sums = tiles_.sums(index);
   std::fill_n(sums + layout.window_array(sweep.first_sum), layout.window_array(sweep.sums), 0.0);
   Block& block = blocks_[thread];
-  place(block, tile, transfer_.layout);
+  place(block, tile, transfer_->layout);
   for (std::uint32_t b = tile.first_block; b < tile.last_block; ++b) {
     const BlockRange& range = tiles_.blocks()[b];
     if (block.body == &bodies_[range.body].constants)
@@ -258,7 +242,7 @@ Block Executor::make_block(const Tile& tile, const BlockRange& range, Scratch& s
   block.body = &body.constants;
   block.sweep = &sweep_;
   block.scratch = &scratch;
-  place(block, tile, transfer_.layout);
+  place(block, tile, transfer_->layout);
   return block;
 }
 
@@ -330,7 +314,7 @@ void Executor::update_velocities(const StepTimes& times, double light_node) {
 void Executor::kick_tile(std::size_t tile, std::size_t thread, double light_node) {
   NodeBlock block = node_block(tile, thread);
   if (!loads_.reach(tile)) block.sum_quantities = quantities(sum_load, axes_);
-  transfer_.update_velocities(block);
+  transfer_->update_velocities(block);
   account_.forget_tile(tile);
   conditions_.act(tile, account_.of_tile(tile));
   if (in_one_pass()) complete(block, tile, light_node);
@@ -364,7 +348,7 @@ void Executor::map_velocities(bool with_mass) {
   const auto map_tile = [&](std::size_t tile, std::size_t thread) {
     NodeBlock block = node_block(tile, thread);
     block.collect_mass = with_mass;
-    transfer_.map_velocities(block);
+    transfer_->map_velocities(block);
     conditions_.act_on_mapped(tile);
   };
   if (by_wave_ && !rehearsal_) return finish(map_tile);

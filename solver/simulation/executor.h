@@ -60,12 +60,13 @@ class Executor {
   void sort();
   /// Finds that again without sorting, for particles and tiles that were restored.
   void bind();
+  /// From now on windows have a margin, as if a particle had left its tile; before particles are sorted.
+  void expect_drift();
 
   /// Sums and maxima over all particles, in an order that does not depend on the number of threads.
   Totals totals();
   /// Cauchy stress of a particle, components as field_components; `out` has room for six.
   void stress(const Slot& particle, double* out) const;
-
   std::vector<BodyParticles>& bodies() { return bodies_; }
   const std::vector<BodyParticles>& bodies() const { return bodies_; }
   Tiles& tiles() { return tiles_; }
@@ -117,7 +118,6 @@ class Executor {
   const Model& model_;
   bool rehearsal_;
   int axes_;  ///< of the grid
-  const GridKernels& kernels_;
   const MotionKernels& motion_;
   const Transfer& transfer_kind_;
   ThreadPool pool_;
@@ -127,7 +127,7 @@ class Executor {
   Conditions conditions_;
   BodyContacts contacts_;
   Loads loads_;
-  const TransferKernels& transfer_;
+  const TransferKernels* transfer_;
   Tiles tiles_;
   Sweeps sweeps_;
   SweepConstants sweep_;

@@ -50,7 +50,7 @@ void Executor::project(const Projection& projection, double light_mass) {
     static constexpr Pass exchange[] = {Pass::locate, Pass::remap};
     const NodeWork reduce = [&](std::size_t index, std::size_t thread) {
       NodeBlock block = node_block(index, thread);
-      transfer_.reduce_remainder(block);
+      transfer_->reduce_remainder(block);
       conditions_.hold(index, NodeVectors{block.nodes, axes_}(node_remainder));
       for (NodeVector into : projection.into)
         add_remainder({block.nodes, axes_}, into, into == node_mapped_velocity ? light_mass : 0);

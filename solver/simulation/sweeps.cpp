@@ -55,7 +55,7 @@ Sweeps::Sweeps(const Model& model, const Transfer& kind, const TransferKernels& 
       axes_(grid_axes(model.dimension)),
       motion_(kernels().grid(model.numerics).motion[axes_ - 1]),
       kind_(kind),
-      transfer_(transfer),
+      transfer_(&transfer),
       transfer_passes_(kind.passes(transfer, motion_, model.numerics)),
       sum_quantities_(sum_quantities),
       loads_(!model.body_loads.empty()) {}
@@ -75,27 +75,27 @@ std::vector<Stage> Sweeps::stages_of(Pass pass, const BodyParticles& body, std::
       return present({exchange.widen_state, body.law->force, exchange.narrow_force});
     case Pass::scatter_state:
       return joined({transfer.scatter_state.stages,
-                     present({only_if(hoop, transfer_.scatter_hoop), only_if(loads_, motion_.find_loads),
-                              only_if(loads_, transfer_.scatter_loads)})});
+                     present({only_if(hoop, transfer_->scatter_hoop), only_if(loads_, motion_.find_loads),
+                              only_if(loads_, transfer_->scatter_loads)})});
     case Pass::update_velocity:
       return transfer.update_velocity.stages;
     case Pass::kick:
       return transfer.kick.stages;
     case Pass::remap:
-      return {transfer_.remap};
+      return {transfer_->remap};
     case Pass::scatter_momentum:
       return transfer.scatter_momentum.stages;
     case Pass::scatter_motion:
-      return joined({{transfer_.scatter_mass}, transfer.scatter_momentum.stages});
+      return joined({{transfer_->scatter_mass}, transfer.scatter_momentum.stages});
     case Pass::gather_velocity:
-      return {transfer.takes_grid_velocity ? motion_.own_velocity : transfer_.gather_velocity};
+      return {transfer.takes_grid_velocity ? motion_.own_velocity : transfer_->gather_velocity};
     case Pass::gather_gradient:
-      return present({transfer_.gather_gradient, only_if(hoop, transfer_.gather_hoop)});
+      return present({transfer_->gather_gradient, only_if(hoop, transfer_->gather_hoop)});
     case Pass::gather_motion:
       if (transfer.takes_grid_velocity)
         return joined(
             {stages_of(Pass::gather_gradient, body, index), stages_of(Pass::gather_velocity, body, index)});
-      return present({transfer_.gather_motion, only_if(hoop, transfer_.gather_hoop)});
+      return present({transfer_->gather_motion, only_if(hoop, transfer_->gather_hoop)});
     case Pass::move:
       return {motion_.move};
     case Pass::displace:
@@ -142,15 +142,15 @@ unsigned Sweeps::gathered(Pass pass) const {
 
 bool Sweeps::relocates(Pass pass) const {
   const bool deforms = pass == Pass::deform || pass == Pass::deform_by_half;
-  return pass == Pass::move || (deforms && transfer_.needs_deformation);
+  return pass == Pass::move || (deforms && transfer_->needs_deformation);
 }
 
 Stage Sweeps::locating(std::span<const Pass> next) const {
   for (Pass pass : next) {
-    if (needs_slopes(pass)) return transfer_.locate;
+    if (needs_slopes(pass)) return transfer_->locate;
     if (relocates(pass)) break;
   }
-  return kind_.affine ? transfer_.affine.locate_values : transfer_.locate_values;
+  return kind_.affine ? transfer_->affine.locate_values : transfer_->locate_values;
 }
 
 Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>& bodies) {
@@ -168,8 +168,22 @@ Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>
       sweep->sums = axes_;
     }
   }
+  resolve(*sweep, bodies);
+  sweeps_.push_back(std::move(sweep));
+  return *sweeps_.back();
+}
+
+void Sweeps::use(const TransferKernels& transfer, const std::vector<BodyParticles>& bodies) {
+  transfer_ = &transfer;
+  transfer_passes_ = kind_.passes(transfer, motion_, model_.numerics);
+  for (const auto& sweep : sweeps_) resolve(*sweep, bodies);
+}
+
+void Sweeps::resolve(Sweep& sweep, const std::vector<BodyParticles>& bodies) const {
+  const std::span<const Pass> passes = sweep.passes;
+  sweep.stages.clear();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    std::vector<Stage>& stages = sweep->stages.emplace_back();
+    std::vector<Stage>& stages = sweep.stages.emplace_back();
     // Not twice in one place: by TLMPM in a plane 4.5 -> 3.4 ns per particle and step. What the transfer finds
     // there besides only before its own passes: by a profile of APIC in a plane 2 ns less.
     bool located = false, found = false;
@@ -186,13 +200,11 @@ Sweep& Sweeps::of(std::span<const Pass> passes, const std::vector<BodyParticles>
       found = found && pass != Pass::locate && !relocates(pass);
     }
   }
-  sweeps_.push_back(std::move(sweep));
-  return *sweeps_.back();
 }
 
 std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t index) const {
   const std::string_view law = model_.materials[model_.bodies[index].material].kind->name;
-  const AffineKernels& affine = transfer_.affine;
+  const AffineKernels& affine = transfer_->affine;
   if (const char* of_law = name_among({{body.law->force, "force"},
                                        {body.law->deform, "deform"},
                                        {body.law->in_floats.force, "force in floats"},
@@ -201,21 +213,21 @@ std::string Sweeps::name(Stage stage, const BodyParticles& body, std::size_t ind
                                        {sharing(index), "share dilatation"}},
                                       stage))
     return std::string(of_law) + " (" + std::string(law) + ")";
-  const char* name = name_among({{transfer_.locate, "locate"},
-                                 {transfer_.locate_values, "locate, values alone"},
+  const char* name = name_among({{transfer_->locate, "locate"},
+                                 {transfer_->locate_values, "locate, values alone"},
                                  {affine.locate_values, "locate, values alone"},
-                                 {transfer_.scatter_state, "scatter mass, momentum, force"},
-                                 {transfer_.scatter_hoop, "scatter hoop force"},
-                                 {transfer_.scatter_loads, "scatter loads"},
-                                 {transfer_.scatter_mass, "scatter mass"},
-                                 {transfer_.scatter_momentum, "scatter momentum"},
-                                 {transfer_.gather_acceleration, "gather acceleration"},
-                                 {transfer_.gather_velocity, "gather velocity"},
-                                 {transfer_.gather_gradient, "gather gradient"},
-                                 {transfer_.gather_motion, "gather velocity, gradient"},
-                                 {transfer_.gather_hoop, "gather hoop strain rate"},
-                                 {transfer_.gather_projected, "gather projected velocity"},
-                                 {transfer_.remap, "remap"},
+                                 {transfer_->scatter_state, "scatter mass, momentum, force"},
+                                 {transfer_->scatter_hoop, "scatter hoop force"},
+                                 {transfer_->scatter_loads, "scatter loads"},
+                                 {transfer_->scatter_mass, "scatter mass"},
+                                 {transfer_->scatter_momentum, "scatter momentum"},
+                                 {transfer_->gather_acceleration, "gather acceleration"},
+                                 {transfer_->gather_velocity, "gather velocity"},
+                                 {transfer_->gather_gradient, "gather gradient"},
+                                 {transfer_->gather_motion, "gather velocity, gradient"},
+                                 {transfer_->gather_hoop, "gather hoop strain rate"},
+                                 {transfer_->gather_projected, "gather projected velocity"},
+                                 {transfer_->remap, "remap"},
                                  {affine.find_levers, "find levers"},
                                  {affine.begin, "begin affine velocity"},
                                  {affine.scatter_state, "scatter mass, affine momentum, force"},

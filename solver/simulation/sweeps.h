@@ -29,6 +29,8 @@ class Sweeps {
 
   /// The sweep of these passes, resolved when it is first asked for.
   Sweep& of(std::span<const Pass> passes, const std::vector<BodyParticles>& bodies);
+  /// From now on with these kernels, of the same shape functions: all sweeps stay where they are.
+  void use(const TransferKernels& transfer, const std::vector<BodyParticles>& bodies);
   /// In the order in which they were first asked for.
   std::span<const std::unique_ptr<Sweep>> all() const { return sweeps_; }
   /// What a stage of this body does, for people.
@@ -36,6 +38,7 @@ class Sweeps {
   const TransferPasses& transfer_passes() const { return transfer_passes_; }
 
  private:
+  void resolve(Sweep& sweep, const std::vector<BodyParticles>& bodies) const;
   /// What a pass does to the particles of a body, one stage after the other.
   std::vector<Stage> stages_of(Pass pass, const BodyParticles& body, std::size_t index) const;
   std::vector<Stage> deform_stages(const BodyParticles& body, std::size_t index) const;
@@ -51,8 +54,8 @@ class Sweeps {
   int axes_;  ///< of the grid
   const MotionKernels& motion_;
   const Transfer& kind_;
-  const TransferKernels& transfer_;
-  const TransferPasses transfer_passes_;
+  const TransferKernels* transfer_;
+  TransferPasses transfer_passes_;
   int sum_quantities_;
   bool loads_;
   std::vector<std::unique_ptr<Sweep>> sweeps_;

@@ -23,6 +23,11 @@ Vector inward(const SurfacePoint& point) {
   return {-at_joint * n.x / length, -at_joint * n.y / length, -at_joint * n.z / length};
 }
 
+bool has_particles(const Tiles& tiles, std::int32_t index) {
+  const Tile& tile = tiles.tiles()[static_cast<std::size_t>(index)];
+  return tile.first_block < tile.last_block;
+}
+
 }  // namespace
 
 std::vector<Slot> find_slots(const std::vector<BodyParticles>& bodies, const Model& model,
@@ -84,7 +89,23 @@ void Riders::bind(const std::vector<BodyParticles>& bodies, const Tiles& tiles) 
     const auto after =
         std::upper_bound(starts.begin(), starts.end(), Start{carriers_[p].body, carriers_[p].index, 0}, before);
     tiles_[p] = (after - 1)->tile;
+    if (tiles.layout().margin == Margin::none) tiles_[p] = tile_inside(tiles, bodies, p);
   }
+}
+
+/// The tile of the carrier's cell, or of the one further inside the body if it lies on a face between them.
+std::uint32_t Riders::tile_inside(const Tiles& tiles, const std::vector<BodyParticles>& bodies,
+                                  std::size_t p) const {
+  const Tile& tile = tiles.tiles()[tiles_[p]];
+  TileIndex at = tile.at;
+  for (int axis = 0; axis < axes_; ++axis) {
+    const double position = bodies[carriers_[p].body].component(Attribute::position_x, axis)[carriers_[p].index];
+    const double cell = (position - component(model_.grid.origin, axis)) / model_.grid.cell;
+    at[static_cast<std::size_t>(axis)] =
+        static_cast<std::int32_t>(std::floor((cell + component(inward_[p], axis)) / tiles.layout().side));
+  }
+  const std::int32_t inside = tiles.find(at, tile.field);
+  return inside >= 0 && has_particles(tiles, inside) ? static_cast<std::uint32_t>(inside) : tiles_[p];
 }
 
 void Riders::find_corners(const Layout& layout) {

@@ -98,6 +98,7 @@ class Riders {
   void advect(const Tiles& tiles, const Stencil& stencil, std::size_t p, double drift);
   void turn(const double (&gradient)[3][3], std::size_t p, double drift);
 
+  std::uint32_t tile_inside(const Tiles& tiles, const std::vector<BodyParticles>& bodies, std::size_t p) const;
   void find_corners(const Layout& layout);
   Values product(const Stencil& stencil, const double (&place)[3], int sloped) const;
 

@@ -5,6 +5,7 @@
 
 #include "solver/analyses/run.h"
 #include "solver/executors/layout.h"
+#include "solver/simulation/checkpoint_array.h"
 #include "solver/simulation/executor.h"
 #include "tests/unit/simulation/scenes.h"
 
@@ -43,35 +44,114 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(Dimension::plane_strain, Dimension::axisymmetric, Dimension::solid),
                      testing::Values("linear", "gimp", "quadratic_bspline", "cubic_bspline")));
 
-/// Points of a surface may be in other cells than their particles, so that with a load on one, be it of nothing,
-/// windows have a margin.
-Scene loaded(Scene scene) {
-  EdgeTraction nothing;
-  nothing.body = "block", nothing.edge = Edge::right;
-  scene.loads = {{"nothing", nothing}};
+/// The same motion far from the faces of a domain that is periodic, where windows have a margin.
+Scene with_margin(Scene scene) {
+  scene.boundaries.push_back({"far_away", {}, Periodic{Axis::y}});
   return scene;
 }
 
-TEST_P(Margins, ChangeNothingWhereParticlesStay) {
+/// A pressure that follows one side, and a traction on another.
+Scene loaded(Scene scene) {
+  Pressure pressure;
+  pressure.surface = {"block", Edge::right}, pressure.pressure = 3;
+  EdgeTraction traction;
+  traction.body = "block", traction.edge = Edge::top, traction.traction = {0.5, 2};
+  scene.loads = {{"pressure", pressure}, {"traction", traction}};
+  return scene;
+}
+
+Scene updated_lagrangian(Scene scene) {
+  scene.numerics.scheme = "MUSL";
+  return scene;
+}
+
+/// A condition on a surface.
+Scene hinged(Scene scene) {
+  Hinge hinge;
+  hinge.surface = {"block", Edge::left}, hinge.kind = HingeKind::whole, hinge.axes = {Axis::x};
+  scene.boundaries.push_back({"hinge", {}, hinge});
+  return scene;
+}
+
+Margin margin_of(const Scene& scene) {
+  const Model model = validate(scene);
+  return Executor(model, 1).tiles().layout().margin;
+}
+
+void expect_same_motion(const Scene& scene) {
+  ASSERT_EQ(margin_of(with_margin(scene)), Margin::one_cell);
   test::Memory without, with;
-  ASSERT_EQ(run(validate(scene()), {1, 1e9, {}}, without, nullptr).end, RunEnd::finished);
-  ASSERT_EQ(run(validate(loaded(scene())), {1, 1e9, {}}, with, nullptr).end, RunEnd::finished);
+  ASSERT_EQ(run(validate(scene), {1, 1e9, {}}, without, nullptr).end, RunEnd::finished);
+  ASSERT_EQ(run(validate(with_margin(scene)), {1, 1e9, {}}, with, nullptr).end, RunEnd::finished);
   // Places are counted from a window's first node, so that rounding of them differs by some 1e-15 a step.
   const auto nearly = testing::Pointwise(testing::DoubleNear(1e-12), with.snapshots.back().velocity);
   EXPECT_THAT(without.snapshots.back().velocity, nearly);
   EXPECT_GT(std::ranges::max(without.snapshots.back().velocity), 0.5);
 }
 
+TEST_P(Margins, ChangeNothingWhereParticlesStay) { expect_same_motion(scene()); }
+
+TEST_P(Margins, ChangeNothingUnderLoadsOnSurfaces) { expect_same_motion(loaded(scene())); }
+
+TEST_P(Margins, ChangeNothingWithAHinge) { expect_same_motion(hinged(scene())); }
+
 TEST_P(Margins, AreOnlyWhereTheyAreNeeded) {
-  const auto margin_of = [](const Scene& scene) {
-    const Model model = validate(scene);
-    return Executor(model, 1).tiles().layout().margin;
-  };
   EXPECT_EQ(margin_of(scene()), Margin::none);
-  EXPECT_EQ(margin_of(loaded(scene())), Margin::one_cell);
-  Scene drifting = scene();
-  drifting.numerics.scheme = "MUSL";
-  EXPECT_EQ(margin_of(drifting), Margin::one_cell);
+  // Domains of particles may reach into other cells than theirs.
+  const Margin at_surfaces = scene().numerics.shape_functions == "gimp" ? Margin::one_cell : Margin::none;
+  EXPECT_EQ(margin_of(loaded(scene())), at_surfaces);
+  EXPECT_EQ(margin_of(hinged(scene())), at_surfaces);
+}
+
+/// Bodies whose particles begin to leave their tiles some time after they have begun to move.
+using DriftingBody = Margins;
+INSTANTIATE_TEST_SUITE_P(
+    DimensionsAndShapes, DriftingBody,
+    testing::Combine(testing::Values(Dimension::plane_strain, Dimension::axisymmetric, Dimension::solid),
+                     testing::Values("linear", "gimp", "quadratic_bspline", "cubic_bspline")));
+
+bool has_margin(const Checkpoint& checkpoint) {
+  return checkpoint_array<std::int64_t>(checkpoint, "order").at(2) != 0;
+}
+
+TEST_P(DriftingBody, MovesAsIfItHadHadMarginsFromTheFirst) { expect_same_motion(updated_lagrangian(scene())); }
+
+TEST_P(DriftingBody, MovesAsIfItHadHadMarginsUnderLoadsOnSurfaces) {
+  expect_same_motion(loaded(updated_lagrangian(scene())));
+}
+
+TEST_P(DriftingBody, MovesAsIfItHadHadMarginsWithAHinge) {
+  expect_same_motion(hinged(updated_lagrangian(scene())));
+}
+
+TEST_P(DriftingBody, GoesOnFromCheckpointsWithAndWithoutMarginsWithTheSameBits) {
+  Scene drifting = loaded(updated_lagrangian(scene()));
+  drifting.outputs.samples = 25;
+  const Model model = validate(drifting);
+  test::Memory whole;
+  ASSERT_EQ(run(model, {1, 0, {}}, whole, nullptr).end, RunEnd::finished);
+  ASSERT_EQ(has_margin(whole.checkpoints.front()), margin_of(drifting) == Margin::one_cell);
+  ASSERT_TRUE(has_margin(whole.checkpoints.back()));
+  for (const Checkpoint& checkpoint : whole.checkpoints) {
+    test::Memory rest;
+    ASSERT_EQ(run(model, {2, 1e9, checkpoint}, rest, nullptr).end, RunEnd::finished);
+    EXPECT_EQ(rest.rows.back(), whole.rows.back());
+    EXPECT_EQ(rest.snapshots.back().velocity, whole.snapshots.back().velocity);
+  }
+}
+
+/// Particles that carry loads lie on faces between tiles, and the body ends there.
+TEST(Margins, ChangeNothingWhereCarriersLieOnFacesOfTiles) {
+  Scene scene = loaded(block(Dimension::plane_strain, "cubic_bspline"));
+  scene.domain.cell_size = 0.125;
+  // Numbers that are exact: 0.03125 more than the faces at 16 cells.
+  scene.bodies[0].geometry = Box{{0.53125, 0.53125}, {2.03125, 2.03125}};
+  const Model model = validate(scene);
+  Executor executor(model, 1);
+  executor.begin();
+  const std::vector<double>& x = executor.bodies()[0][Attribute::position_x];
+  ASSERT_EQ(std::ranges::max(x), 2);
+  expect_same_motion(scene);
 }
 
 }  // namespace
