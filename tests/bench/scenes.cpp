@@ -24,6 +24,12 @@ Scene scene_of(const Choice& choice, double cell) {
   return scene;
 }
 
+void load(Scene& scene, Edge edge, const Vector& traction, const std::string& time) {
+  EdgeTraction load;
+  load.body = scene.bodies[0].name, load.edge = edge, load.traction = traction;
+  scene.loads = {{"load", load, time}};
+}
+
 }  // namespace
 
 Scene discs(const Choice& choice, double particles) {
@@ -50,6 +56,11 @@ Scene block(const Choice& choice, double particles) {
   scene.domain.lower = lower, scene.domain.upper = upper;
   scene.bodies = {{"block", "solid", Box{{}, {1, 1, top}}, 2, {"0", "1e-3 * y"}}};
   scene.boundaries = {{"ground", Edge::bottom, Fixed{{Axis::y}}}};
+  if (choice.drifting) {
+    scene.domain.upper.x = 100;
+    scene.bodies[0].initial_velocity = {"0.1", "1e-3 * y"};
+  }
+  if (choice.loaded) load(scene, Edge::top, {0, 0.1}, "sin(t)");
   return scene;
 }
 
@@ -58,6 +69,7 @@ Scene bar(const Choice& choice, double particles) {
   scene.domain.lower = {0, -4}, scene.domain.upper = {16, 5};
   scene.bodies = {{"bar", "solid", Box{{0, 0}, {8, 1}}, 2, {"1e-3 * x", "0"}}};
   scene.boundaries = {{"wall", Edge::left, Fixed{}}};
+  if (choice.loaded) load(scene, Edge::right, {0.1, 0}, "sin(t)");
   if (choice.kind == Kind::explicit_steps) return scene;
 
   scene.bodies[0].initial_velocity = {};
@@ -67,9 +79,7 @@ Scene bar(const Choice& choice, double particles) {
     scene.analysis.kind = Modal{};
     return scene;
   }
-  EdgeTraction load;
-  load.body = "bar", load.edge = Edge::right, load.traction = {0, -0.1};
-  scene.loads = {{"end", load, "t"}};
+  load(scene, Edge::right, {0, -0.1}, "t");
   if (choice.kind == Kind::implicit_static)
     scene.analysis.kind = QuasiStatic{.load_steps = 3};
   else

@@ -17,7 +17,9 @@ struct Choice {
   std::string law = "linear_elastic";
   bool damage = false;
   bool contact = false;
-  bool turned = false;  ///< discs that spin, once their rows of particles lie askew
+  bool turned = false;    ///< discs that spin, once their rows of particles lie askew
+  bool drifting = false;  ///< a block that moves through the cells
+  bool loaded = false;    ///< by a force on one side that comes and goes
   Dimension dimension = Dimension::plane_strain;
   std::string precision = "DOUBLE";
   Kind kind = Kind::explicit_steps;
