@@ -91,6 +91,8 @@ struct alignas(64) TransferScratch : LawExchange<Number> {
   /// drifts.
   std::int32_t run_begin[block_size + 16];
   int runs = 0;
+  /// Rows of cells that are worked on at once: how many, and the first run of each.
+  std::int32_t cell_rows = 0, cell_row[block_size / 32];
   BlockArray<Number> place[3];      ///< distance from the stencil's first node, in cells
   BlockArray<Number> weight[3][4];  ///< shape functions along each axis, of consecutive nodes
   BlockArray<Number> slope[3][4];   ///< their derivatives, per cell

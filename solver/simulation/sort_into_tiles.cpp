@@ -279,6 +279,14 @@ void reorder(BodyParticles& body, const std::vector<std::uint32_t>& slot_of, Thr
   permute(body.number, slot_of, spare_numbers, pool);
 }
 
+/// Particles of a tile are cut into as few blocks as there must be, of about equal size and in whole rows of cells
+/// with four particles each.
+std::uint32_t block_share(std::uint32_t particles) {
+  constexpr std::uint32_t row = 32, most = block_size;
+  const std::uint32_t blocks = (particles + most - 1) / most, share = (particles + blocks - 1) / blocks;
+  return std::min(most, (share + row - 1) / row * row);
+}
+
 void add_margins(std::vector<OccupiedTile>& occupied, const Layout& layout) {
   if (layout.margin == Margin::none) return;
   for (OccupiedTile& tile : occupied)
@@ -333,8 +341,9 @@ void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles
       blocks_of.push_back(0);
     }
     include(occupied.back().cells, run.cells);
-    for (std::uint32_t begin = run.begin; begin < run.end; begin += block_size) {
-      const std::uint32_t count = std::min<std::uint32_t>(block_size, run.end - begin);
+    const std::uint32_t share = block_share(run.end - run.begin);
+    for (std::uint32_t begin = run.begin; begin < run.end; begin += share) {
+      const std::uint32_t count = std::min(share, run.end - begin);
       blocks.push_back({begin, static_cast<std::uint16_t>(count), static_cast<std::uint16_t>(run.body)});
       ++blocks_of.back();
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/transfers/lanes.h"
+#include "solver/transfers/row_transfers.h"
 #include "solver/transfers/runs.h"
 
 /// Grid to particles, with any shape functions.
@@ -54,7 +55,15 @@ __attribute__((always_inline)) inline void gather(Block& block, const Gathered<P
   if constexpr (LanesOf<Stencil>::exist) {
     // As many as there are lanes for, with two particles to a cell's side.
     constexpr int room = LanesOf<Stencil>::Type::lanes >> (D < 2 ? 2 : D), runs = room > 1 ? room : 1;
-    for (int run = 0; run < s.runs;) run += gather_runs<Stencil, L, runs>(s, run, gathered...);
+    const auto gather_stretch = [&](int begin, int end) __attribute__((always_inline)) {
+      for (int run = begin; run < end;) run += gather_runs<Stencil, L, runs>(s, run, gathered...);
+    };
+    if constexpr (has_cell_rows<Stencil>)
+      for_each_row_and_stretch(
+          s, s.cell_rows, [&](int first) __attribute__((always_inline)) { gather_row<L>(s, first, gathered...); },
+          gather_stretch);
+    else
+      gather_stretch(0, s.runs);
   } else {
     using Row = typename Stencil::Row;
     const auto gather_one = [&](const auto& one) __attribute__((always_inline)) {
@@ -124,19 +133,6 @@ inline void gather_motion(Block& block) {
     gather_velocity<Stencil, L>(block);
     gather_gradient<Stencil, L>(block);
   }
-}
-
-/// Axisymmetric: hoop strain rate of the velocity that is for gradients.
-template <class Stencil, Layout L>
-inline void gather_hoop(Block& block) {
-  BlockDoubles& hoop = block.scratch->gradient_rest;
-  const double* radius = block[Attribute::position_x];
-  const auto keep = [&](int i, int a, const auto& sums) __attribute__((always_inline)) {
-    if (a == 0) store(hoop.values + i, sums[0]);
-  };
-  gather<Stencil, L>(block, Gathered{node_mapped_velocity, keep});
-#pragma GCC ivdep
-  for (int i = 0; i < block.count; ++i) hoop[i] /= radius[i];
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/transfers/runs.h"
+#include "solver/transfers/cell_rows.h"
 #include "solver/transfers/vectors.h"
 
 /// Where particles are: the first node of each one's stencil, and the shape functions there.
@@ -130,6 +130,7 @@ inline void weigh_along(Block& block, int axis) {
 template <class Shape, Layout L, bool with_slopes = true>
 inline void locate(Block& block) {
   find_places<Shape, L>(block);
+  if constexpr (has_cell_rows<ProductStencil<Shape::nodes, L, ShapeSlopes>>) find_cell_rows(scratch_of(block));
   for (int axis = 0; axis < L.dimensions; ++axis) {
     // Two nodes' weights follow from the place alone.
     if constexpr (Shape::nodes > 2) weigh_along<Shape, with_slopes>(block, axis);

@@ -19,10 +19,9 @@ inline void find_runs(Block& block) {
 /// bytes; otherwise it waits for the cache, by a profile a third of the time of scattering momentum in a plane
 /// with linear functions.
 template <class Function>
-__attribute__((always_inline)) inline void for_each_run(const Block& block, Function&& of) {
-  const RealScratch& s = scratch_of(block);
-  for (int first = 0; first < 2; ++first)
-    for (int run = first; run < s.runs; run += 2)
+__attribute__((always_inline)) inline void for_each_run(const RealScratch& s, int begin, int end, Function&& of) {
+  for (int first = begin; first < begin + 2; ++first)
+    for (int run = first; run < end; run += 2)
       of(s.run_begin[run], s.run_begin[run + 1], s.cell[s.run_begin[run]]);
 }
 

@@ -1,41 +1,11 @@
 #pragma once
 
 #include "solver/transfers/scatter_rows.h"
+#include "solver/transfers/uniform_velocity.h"
 
 /// Particles to grid, with any shape functions.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-/// Particles that have the same velocity everywhere.
-struct UniformVelocity {
-  /// A row's momentum. `m`: weights times mass.
-  template <class Row, class Particles>
-  struct Of {
-    __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
-      return multiply_add(m, particles.template each<Row>(component_of(block, Attribute::velocity_x, axis)), sum);
-    }
-    const Block& block;
-    Particles particles;
-  };
-};
-/// The same of another vector.
-struct UniformVector {
-  template <class Row, class Particles>
-  struct Of {
-    __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {
-      return multiply_add(m, particles.template each<Row>(values[axis].values), sum);
-    }
-    const RealArray* values;
-    Particles particles;
-  };
-};
-
-/// Masses of particles, as a factor of a row.
-template <class Row, class Particles>
-__attribute__((always_inline)) inline auto masses(const Block& block, Particles particles) {
-  return particles.template factor<Row>([&block](int i)
-                                            __attribute__((always_inline)) { return Real(block.mass(i)); });
-}
 
 /// Mass, momentum and internal force. Slopes are those of the shape functions, then what the velocity needs.
 template <class Stencil, Layout L, class Velocity = UniformVelocity>
@@ -45,7 +15,8 @@ inline void scatter_state(Block& block) {
   RealScratch& s = scratch_of(block);
   const RealArray* force = s.force_on_nodes();
   s.trouble.runs += s.runs;
-  scatter_rows<Stencil, quantities(2, D)>(
+  double* const to = block.sums;
+  scatter_rows<Stencil, L, quantities(2, D)>(
       block,
       [&](auto particles) __attribute__((always_inline)) {
         using VelocityOf = typename Velocity::template Of<Row, decltype(particles)>;
@@ -65,8 +36,18 @@ inline void scatter_state(Block& block) {
           }
         };
       },
-      [sums = block.sums](int q, std::int64_t at, Row row) __attribute__((always_inline)) {
-        Stencil::add_row(sums + L.window_array(q) + at, q < quantity(sum_force, 0, D) ? row : -row);
+      [=](int q, std::int64_t at, Row row) __attribute__((always_inline)) {
+        Stencil::add_row(to + L.window_array(q) + at, q < quantity(sum_force, 0, D) ? row : -row);
+      },
+      [&](const auto& row, int at) __attribute__((always_inline)) {
+        row.add_mass(to + at);
+#pragma GCC unroll 3
+        for (int a = 0; a < D; ++a) {
+          row.add_momentum(to + L.window_array(quantity(sum_momentum, a, D)) + at,
+                           component_of(block, Attribute::velocity_x, a));
+          row.add_force(to + L.window_array(quantity(sum_force, a, D)) + at, force[D * a].values,
+                        force[D * a + 1].values);
+        }
       });
 }
 
@@ -88,7 +69,8 @@ __attribute__((always_inline)) inline void scatter_products(Block& block, SumVec
   constexpr int D = L.dimensions;
   using Row = typename Stencil::Row;
   scatter<Stencil, L, D>(
-      block, quantity(vector, 0, D), [&](auto particles) __attribute__((always_inline)) {
+      block, quantity(vector, 0, D),
+      [&](auto particles) __attribute__((always_inline)) {
         using VelocityOf = typename Velocity::template Of<Row, decltype(particles)>;
         return [&, particles, velocity = VelocityOf{of, particles} ](int row, Row w, const Row* slopes, Row* sums)
             __attribute__((always_inline)) {
@@ -96,6 +78,13 @@ __attribute__((always_inline)) inline void scatter_products(Block& block, SumVec
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) sums[a] = velocity.add_momentum(a, row, m, slopes, sums[a]);
         };
+      },
+      [&](const auto& cells, int at) __attribute__((always_inline)) {
+        if constexpr (has_cell_rows<Stencil>) {
+#pragma GCC unroll 3
+          for (int a = 0; a < D; ++a)
+            cells.add_momentum(block.sums + L.window_array(quantity(vector, a, D)) + at, Velocity::values(of, a));
+        }
       });
 }
 
@@ -115,22 +104,6 @@ inline void scatter_momentum(Block& block) {
 template <class Stencil, Layout L>
 inline void scatter_loads(Block& block) {
   scatter_vector<Stencil, L>(block, sum_load, scratch_of(block).load);
-}
-
-/// Axisymmetric: the hoop stress pulls towards the axis, with volume times stress over radius per radian
-/// (Sulsky and Schreyer 1996).
-template <class Stencil, Layout L>
-inline void scatter_hoop(Block& block) {
-  using Row = typename Stencil::Row;
-  RealScratch& s = scratch_of(block);
-  const double* radius = block[Attribute::position_x];
-  scatter<Stencil, L, 1>(
-      block, quantity(sum_force, 0, L.dimensions), [&](auto particles) __attribute__((always_inline)) {
-        const auto force = particles.template factor<Row>([&](int i) __attribute__((always_inline)) {
-          return Real(s.virial_rest[i] / radius[i]);
-        });
-        return [force](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) { *sums -= w * force; };
-      });
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -4,6 +4,7 @@
 
 #include "solver/transfers/affine.h"
 #include "solver/transfers/gather.h"
+#include "solver/transfers/hoop.h"
 #include "solver/transfers/locate.h"
 #include "solver/transfers/node_updates.h"
 #include "solver/transfers/projection.h"

@@ -18,7 +18,7 @@ import tempfile
 # Of some 2000 particles: 2 % over what was counted when the budget was last set. Who makes steps cheaper lowers it.
 BUDGETS = {
     "discs/MUSL": 422,
-    "discs/MUSL/float": 419,
+    "discs/MUSL/float": 401,
     "discs/MUSL/turned": 542,
     "discs/USL": 361,
     "discs/MUSL/neo_hookean": 415,
@@ -31,6 +31,7 @@ BUDGETS = {
     "bar/TLMPM": 260,
     "bar/TLMPM/neo_hookean": 242,
     "bar/TLMPM/neo_hookean/loaded": 248,
+    "bar/TLMPM/neo_hookean/float": 166,
     "bar/TLMPM/quadratic_bspline": 470,
     "block/MUSL": 654,
     "block/MUSL/drifting": 901,
