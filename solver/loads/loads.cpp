@@ -51,12 +51,13 @@ bool Loads::lasts(std::size_t load) const {
 void Loads::find_lasting(std::size_t load, const std::vector<BodyParticles>& bodies, const Tiles& tiles) {
   std::vector<NodeForce>& all = lasting_[load];
   for (std::size_t p = 0; p < riders_[load].size(); ++p)
-    give(load, p, riders_[load].stencil(tiles, bodies, p), [&](const NodeForce& one) { all.push_back(one); });
-  const auto place = [](const NodeForce& one) { return std::pair(one.tile, one.node); };
-  std::ranges::stable_sort(all, {}, place);
+    give(load, p, place(load, p, tiles, bodies, Riders::Of::force),
+         [&](const NodeForce& one) { all.push_back(one); });
+  const auto node_of = [](const NodeForce& one) { return std::pair(one.tile, one.node); };
+  std::ranges::stable_sort(all, {}, node_of);
   std::size_t nodes = 0;
   for (const NodeForce& one : all) {
-    if (nodes > 0 && place(all[nodes - 1]) == place(one)) {
+    if (nodes > 0 && node_of(all[nodes - 1]) == node_of(one)) {
       Vector& sum = all[nodes - 1].force;
       sum = {sum.x + one.force.x, sum.y + one.force.y, sum.z + one.force.z};
     } else {
@@ -83,7 +84,7 @@ void Loads::prepare(std::vector<BodyParticles>& bodies, double time) {
 
 /// Calls of(NodeForce) for each node that a point's force goes to, for a factor of one.
 template <class Of>
-void Loads::give(std::size_t load, std::size_t p, const Riders::Stencil& stencil, Of&& of) const {
+void Loads::give(std::size_t load, std::size_t p, const PlaceOfForce& at, Of&& of) const {
   const Riders& riders = riders_[load];
   const LoadPoint& point = model_.surface_loads[load].points[p];
   Vector force = point.force;
@@ -91,20 +92,27 @@ void Loads::give(std::size_t load, std::size_t p, const Riders::Stencil& stencil
     const Vector area = riders.area(p);
     force = {-point.pressure * area.x, -point.pressure * area.y, -point.pressure * area.z};
   }
-  const Riders::Values weights = riders.weights(stencil, stencil.of_point);
-  for (int n = 0; n < riders.corners(); ++n)
-    of(NodeForce{stencil.tile,
-                 stencil.node + riders.corner(n),
-                 {weights[n] * force.x, weights[n] * force.y, weights[n] * force.z}});
+  for (int n = 0; n < riders.corners(); ++n) {
+    const double weight = at.weights[n];
+    of(NodeForce{at.stencil.tile,
+                 at.stencil.node + riders.corner(n),
+                 {weight * force.x, weight * force.y, weight * force.z}});
+  }
 }
 
-Riders::Stencil Loads::stencil_of_force(std::size_t load, std::size_t p, Tiles& tiles,
-                                        const std::vector<BodyParticles>& bodies) const {
+Loads::PlaceOfForce Loads::place(std::size_t load, std::size_t p, const Tiles& tiles,
+                                 const std::vector<BodyParticles>& bodies, Riders::Of of) const {
+  const Riders::Stencil stencil = riders_[load].stencil(tiles, bodies, p, of);
+  return {stencil, riders_[load].weights(stencil, stencil.of_point)};
+}
+
+Loads::PlaceOfForce Loads::place_on_mass(std::size_t load, std::size_t p, Tiles& tiles,
+                                         const std::vector<BodyParticles>& bodies) const {
   const Riders& riders = riders_[load];
-  Riders::Stencil s = riders.stencil(tiles, bodies, p, Riders::Of::force);
-  if (!riders.functions().averaged) return s;
-  const double* mass = tiles.sums(s.tile) + tiles.layout().window_array(quantity_mass) + s.node;
-  return reaches_mass(mass, riders, riders.weights(s, s.of_point)) ? s : riders.stencil(tiles, bodies, p);
+  const PlaceOfForce at = place(load, p, tiles, bodies, Riders::Of::force);
+  if (!riders.functions().averaged) return at;
+  const double* mass = tiles.sums(at.stencil.tile) + tiles.layout().window_array(quantity_mass) + at.stencil.node;
+  return reaches_mass(mass, riders, at.weights) ? at : place(load, p, tiles, bodies, Riders::Of::velocity);
 }
 
 void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) {
@@ -118,7 +126,7 @@ void Loads::add_to(Tiles& tiles, const std::vector<BodyParticles>& bodies) {
     };
     for (const NodeForce& one : lasting_[i]) add(one);
     for (std::size_t p = 0; !lasts(i) && p < riders_[i].size(); ++p)
-      give(i, p, stencil_of_force(i, p, tiles, bodies), add);
+      give(i, p, place_on_mass(i, p, tiles, bodies), add);
   }
 }
 

@@ -45,10 +45,18 @@ class Loads {
     int node;
     Vector force;
   };
+  /// The nodes that a point's force goes to, and its shares of them.
+  struct PlaceOfForce {
+    Riders::Stencil stencil;
+    Riders::Values weights;
+  };
+  PlaceOfForce place(std::size_t load, std::size_t p, const Tiles& tiles, const std::vector<BodyParticles>& bodies,
+                     Riders::Of of) const;
+  /// The same, but where nodes of a domain have no mass that of the carrier's place.
+  PlaceOfForce place_on_mass(std::size_t load, std::size_t p, Tiles& tiles,
+                             const std::vector<BodyParticles>& bodies) const;
   template <class Of>
-  void give(std::size_t load, std::size_t p, const Riders::Stencil& stencil, Of&& of) const;
-  Riders::Stencil stencil_of_force(std::size_t load, std::size_t p, Tiles& tiles,
-                                   const std::vector<BodyParticles>& bodies) const;
+  void give(std::size_t load, std::size_t p, const PlaceOfForce& at, Of&& of) const;
   /// Whether a surface load's points, and the nodes of their carriers, stay where they are.
   bool lasts(std::size_t load) const;
   void find_lasting(std::size_t load, const std::vector<BodyParticles>& bodies, const Tiles& tiles);
@@ -59,7 +67,8 @@ class Loads {
   BodyFields fields_;
   LoadedTiles loaded_;
   /// By surface load that lasts, for a factor of one: found once, with one force for all points around a node.
-  /// With a load on one of a cube's faces 10^5 particles take 51 -> 45 ns per particle and step.
+  /// With a load on one of a cube's faces 10^5 particles took 59 -> 45 ns per particle and step in a disturbed
+  /// round.
   std::vector<std::vector<NodeForce>> lasting_;
   std::vector<double> factors_;  ///< by surface load
 };

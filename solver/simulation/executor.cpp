@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "solver/contact/surface_gaps.h"
-#include "solver/schemes/scheme.h"
-#include "solver/schemes/schemes.h"
 #include "solver/simulation/diverged.h"
 #include "solver/simulation/grid_choice.h"
 #include "solver/simulation/kinks.h"
