@@ -28,7 +28,7 @@ using BlockDoubles = BlockArray<double>;
 /// nodes differ from those of the one before it.
 struct Trouble {
   std::int64_t runs = 0;
-  std::int64_t left_window = 0;  ///< not an error: particles must be sorted into tiles again
+  bool left_window = false;  ///< one has: not an error, particles must be sorted into tiles again
   std::int64_t left_domain = 0;
   std::int64_t moved_too_far = 0;
   std::int64_t inverted = 0;
@@ -82,6 +82,14 @@ struct LawExchange<double> : Scratch {
   const BlockDoubles* force_on_nodes() const { return force; }
 };
 
+/// By strip: its first particle, and how many there are; the first of the eight cells that it has lanes for, and a
+/// bit for each that has a particle. One more may be written than there can be.
+template <int most>
+struct StripList {
+  int size = 0;
+  std::int32_t begin[most + 1], count[most + 1], cell[most + 1], lanes[most + 1];
+};
+
 /// All of it.
 template <class Number>
 struct alignas(64) TransferScratch : LawExchange<Number> {
@@ -90,12 +98,15 @@ struct alignas(64) TransferScratch : LawExchange<Number> {
   /// is worked on, for a processor that guesses where the next one ends guesses wrong once a run in a body that
   /// drifts.
   std::int32_t run_begin[block_size + 16];
-  int runs = 0;
-  /// Rows of cells that are worked on at once: how many, and the first run of each.
-  std::int32_t cell_rows = 0, cell_row[block_size / 32];
+  int runs = 0;  ///< 0: not known, for there are strips
+  /// Strips of particles in ever higher cells of a row (`solver/transfers/strips.h`).
+  bool by_strips = false;  ///< what is the same for many is done once for a strip, not for a run
+  StripList<block_size / 8> full_strips;
+  StripList<block_size> sparse_strips;
   BlockArray<Number> place[3];      ///< distance from the stencil's first node, in cells
   BlockArray<Number> weight[3][4];  ///< shape functions along each axis, of consecutive nodes
   BlockArray<Number> slope[3][4];   ///< their derivatives, per cell
+  BlockArray<Number> mass;          ///< of particles, where strips need it because it is not all the same
   BlockArray<Number> acceleration[3];
   BlockArray<Number> velocity[3];
   BlockArray<Number> load[3];          ///< acceleration by loads

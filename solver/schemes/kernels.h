@@ -84,6 +84,7 @@ struct TransferKernels {
   int stencil_size;        ///< numbers that a block needs for weights that are no products
   bool needs_deformation;  ///< particles must know their deformation gradient
   bool staggered;          ///< stencils change in the middle of cells
+  bool strips;             ///< particles should lie in strips
   Stage locate;
   Stage locate_values;  ///< without slopes
   Stage scatter_state;  ///< mass, momentum and internal force

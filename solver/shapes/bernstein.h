@@ -19,7 +19,10 @@ struct Bernstein {
   /// An element's first node is even. So are those of tiles, and windows with a margin begin two nodes before.
   static constexpr bool needs_margin = true;
 
-  static constexpr double first_node(double at) { return 2 * whole_part(0.5 * at); }
+  template <class Place>
+  static constexpr Place first_node(Place at) {
+    return twice(whole_part(half(at)));
+  }
   static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {
     const Real s = p / 2, r = 1 - s;
     weight[0] = r * r;

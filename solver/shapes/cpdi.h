@@ -18,7 +18,10 @@ struct Cpdi {
   static constexpr bool wide = true;
   static constexpr bool needs_deformation = true;
 
-  static constexpr double first_node(double at) { return whole_part(at) - 1; }
+  template <class Place>
+  static constexpr Place first_node(Place at) {
+    return whole_part(at) - 1;
+  }
 };
 
 }  // namespace TRAJAN_INSTRUCTION_SET

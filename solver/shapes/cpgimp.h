@@ -17,7 +17,10 @@ struct Cpgimp {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = true;
 
-  static constexpr double first_node(double at) { return whole_part(at) - 1; }
+  template <class Place>
+  static constexpr Place first_node(Place at) {
+    return whole_part(at) - 1;
+  }
   /// Domains wider than two cells are taken as two cells wide, hardly any width as a fiftieth.
   /// p is between 1 and 2: the outer nodes are not within the domain.
   static void weigh(Real p, Real half_size, Real (&weight)[4], Real (&slope)[4]) {

@@ -18,7 +18,10 @@ struct CubicBspline {
   /// sum w_I (x_I - x_p)^2 away from faces, in squared cells (Jiang et al. 2015).
   static constexpr Real inertia = Real(1) / 3;
 
-  static constexpr double first_node(double at) { return whole_part(at) - 1; }
+  template <class Place>
+  static constexpr Place first_node(Place at) {
+    return whole_part(at) - 1;
+  }
   /// p is between 1 and 2.
   static void weigh(Real p, Real, Real (&weight)[4], Real (&slope)[4]) {
     const Real f = p - 1, g = 2 - p;

@@ -16,7 +16,10 @@ struct Gimp {
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
 
-  static constexpr double first_node(double at) { return whole_part(at - 0.5); }
+  template <class Place>
+  static constexpr Place first_node(Place at) {
+    return whole_part(at - 0.5);
+  }
   /// p is between 1/2 and 3/2: only the middle node may be within the domain.
   static void weigh(Real p, Real half_size, Real (&weight)[3], Real (&slope)[3]) {
     const Real bounded = half_size < Real(0.5) ? half_size : Real(0.5), factor = Real(0.5) / bounded;

@@ -16,7 +16,10 @@ struct Linear {
   static constexpr bool folds = false;
   static constexpr bool needs_deformation = false;
 
-  static constexpr double first_node(double at) { return whole_part(at); }
+  template <class Place>
+  static constexpr Place first_node(Place at) {
+    return whole_part(at);
+  }
   static void weigh(Real p, Real, Real (&weight)[2], Real (&slope)[2]) {
     weight[0] = 1 - p;
     weight[1] = p;

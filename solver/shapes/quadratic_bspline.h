@@ -18,7 +18,10 @@ struct QuadraticBspline {
   /// sum w_I (x_I - x_p)^2 away from faces, in squared cells (Jiang et al. 2015).
   static constexpr Real inertia = Real(1) / 4;
 
-  static constexpr double first_node(double at) { return whole_part(at - 0.5); }
+  template <class Place>
+  static constexpr Place first_node(Place at) {
+    return whole_part(at - 0.5);
+  }
   /// p is between 1/2 and 3/2.
   static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {
     const Real below = Real(1.5) - p, middle = p - 1, above = p - Real(0.5);

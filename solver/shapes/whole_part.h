@@ -11,6 +11,8 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 constexpr double whole_part(double number) {
   return std::is_constant_evaluated() ? static_cast<int>(number) : __builtin_trunc(number);
 }
+constexpr double half(double number) { return 0.5 * number; }
+constexpr double twice(double number) { return 2 * number; }
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan

@@ -114,7 +114,7 @@ void Executor::expect_drift() {
 }
 
 void Executor::sort() {
-  sort_into_tiles(model_.grid, transfer_->staggered, bodies_, tiles_, pool_);
+  sort_into_tiles(model_.grid, cell_order(model_, *transfer_), bodies_, tiles_, pool_);
   ++sortings_;
   order_ = {};
   bind();
@@ -183,7 +183,7 @@ void Executor::run(std::span<const Pass> passes, const NodeWork& work) {
   ++sweep.runs;
   const Trouble trouble = sweep_tiles(sweep, work);
   check(trouble);
-  if (trouble.left_window == 0) {
+  if (!trouble.left_window) {
     if (trouble.runs > 0) order_.count(trouble.runs);
     return;
   }
@@ -204,7 +204,7 @@ Trouble Executor::sweep_tiles(const Sweep& sweep, const NodeWork& work) {
   Trouble trouble;
   for (const auto& scratch : scratch_) {
     trouble.runs += scratch->trouble.runs;
-    trouble.left_window += scratch->trouble.left_window;
+    trouble.left_window |= scratch->trouble.left_window;
     trouble.left_domain += scratch->trouble.left_domain;
     trouble.moved_too_far += scratch->trouble.moved_too_far;
     trouble.inverted += scratch->trouble.inverted;

@@ -35,6 +35,10 @@ const TransferKernels& transfer_kernels(const Model& model, Margin margin) {
   return find_transfer(numerics.transfer)->general && fastest.general ? *fastest.general : fastest;
 }
 
+CellOrder cell_order(const Model& model, const TransferKernels& kernels) {
+  return {kernels.staggered, kernels.strips && !find_transfer(model.numerics.transfer)->affine};
+}
+
 Tiles make_tiles(const Model& model, const TransferKernels& kernels) {
   const int axes = grid_axes(model.dimension);
   const bool loads = !model.surface_loads.empty() || !model.body_loads.empty();

@@ -4,6 +4,7 @@
 #include "solver/executors/tiles.h"
 #include "solver/loads/loads.h"
 #include "solver/schemes/kernels.h"
+#include "solver/simulation/particles.h"
 
 /// What a model's grid is made of.
 namespace trajan {
@@ -16,6 +17,9 @@ Margin first_margin(const Model& model, const Conditions& conditions, const Load
 
 /// The kernels of a model's shape functions and transfer.
 const TransferKernels& transfer_kernels(const Model& model, Margin margin);
+
+/// In which particles lie within a tile, for these kernels.
+CellOrder cell_order(const Model& model, const TransferKernels& kernels);
 
 /// Of nodes with all that these kernels need.
 Tiles make_tiles(const Model& model, const TransferKernels& kernels);

@@ -71,10 +71,16 @@ double lightest_particle(const std::vector<BodyParticles>& bodies);
 /// Positions at time 0 of the particles of these numbers.
 std::vector<Vector> reference_positions(const Model& model, const std::vector<std::int64_t>& numbers);
 
-/// Puts particles in the order of tiles and, within one, of the nodes that their stencils begin with: those of
-/// cells, or (`staggered`) of cells that are shifted by half a cell. Particles of one stay in order, however many
-/// threads there are.
-void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles,
+/// Within a tile particles are ordered by the nodes that their stencils begin with.
+struct CellOrder {
+  bool staggered = false;  ///< those of cells that are shifted by half a cell
+  /// One of each cell of a row, then a second one of each, and so on. Otherwise cell by cell.
+  bool strips = false;
+};
+
+/// Puts particles in the order of tiles and within them. Particles of one cell stay in order, however many threads
+/// there are.
+void sort_into_tiles(const Grid& grid, CellOrder order, std::vector<BodyParticles>& bodies, Tiles& tiles,
                      ThreadPool& pool);
 
 /// The tiles that will have particles at time 0, in any order.

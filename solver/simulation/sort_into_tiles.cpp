@@ -32,6 +32,8 @@ struct AxisFinder {
   };
   double origin, inverse_cell, period, shift;
   std::int32_t side, tile_bits;
+  std::int32_t late;  ///< added to the bins of what is in the later part of its cell
+  std::int32_t bins;  ///< of a tile
 
   Found operator()(double position) const {
     double x = (position - origin) * inverse_cell;
@@ -42,40 +44,43 @@ struct AxisFinder {
     const double whole = std::floor(x);
     const auto cell = static_cast<std::int32_t>(whole);
     const std::int32_t in_tile = cell & (side - 1);
-    return {cell >> tile_bits, in_tile + 1, in_tile + (x - whole >= 1 - shift)};
+    return {cell >> tile_bits, in_tile + 1, in_tile + (x - whole >= 1 - shift ? late : 0)};
   }
 };
 
 /// Where positions are among the tiles.
 class PlaceFinder {
  public:
-  PlaceFinder(const Grid& grid, const Tiles& tiles, bool staggered)
-      : axes_(static_cast<std::size_t>(tiles.layout().dimensions)),
-        // Stencils that change in the middle of cells begin at one more node along each axis.
-        bins_along_(tiles.layout().side + staggered) {
+  PlaceFinder(const Grid& grid, const Tiles& tiles, CellOrder order)
+      : axes_(static_cast<std::size_t>(tiles.layout().dimensions)) {
     const double origin[] = {grid.origin.x, grid.origin.y, grid.origin.z};
-    for (std::size_t axis = 0; axis < axes_; ++axis)
+    const std::int32_t side = tiles.layout().side;
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
+      // Stencils that change in the middle of cells begin at one more node along each axis. In strips those of
+      // the later halves follow all others: each are in as many cells as a strip has lanes.
+      const std::int32_t late = order.strips && axis == 0 ? side : 1;
       along_[axis] = {.origin = origin[axis],
                       .inverse_cell = 1 / grid.cell,
                       .period = static_cast<double>(tiles.period(static_cast<int>(axis))),
-                      .shift = staggered ? 0.5 : 0,
-                      .side = tiles.layout().side,
-                      .tile_bits = tiles.layout().tile_bits};
+                      .shift = order.staggered ? 0.5 : 0,
+                      .side = side,
+                      .tile_bits = tiles.layout().tile_bits,
+                      .late = late,
+                      .bins = side + (order.staggered ? late : 0)};
+    }
   }
 
   std::size_t axes() const { return axes_; }
   /// In the order of a tile.
-  std::int32_t bins_along() const { return bins_along_; }
   std::int32_t bins() const {
     std::int32_t bins = 1;
-    for (std::size_t axis = 0; axis < axes_; ++axis) bins *= bins_along_;
+    for (std::size_t axis = 0; axis < axes_; ++axis) bins *= along_[axis].bins;
     return bins;
   }
   const AxisFinder& along(std::size_t axis) const { return along_[axis]; }
 
  private:
   std::size_t axes_;
-  std::int32_t bins_along_;
   std::array<AxisFinder, 3> along_{};
 };
 
@@ -137,9 +142,9 @@ class FoundParticles {
   FoundParticles(const PlaceFinder& find, const BodyParticles& body, std::size_t begin, std::size_t count)
       : axes_(find.axes()) {
     std::fill_n(bin, count, 0);
-    const std::int32_t bins_along = find.bins_along();
     for (std::size_t axis = axes_; axis-- > 0;) {
       const AxisFinder along = find.along(axis);
+      const std::int32_t bins_along = along.bins;
       const double* x = body.component(Attribute::position_x, static_cast<int>(axis)).data() + begin;
       std::int32_t *tile = tile_[axis], *cell = cell_[axis];
 #pragma GCC ivdep
@@ -180,9 +185,9 @@ struct Places {
   std::vector<FoundTiles::Place> tiles;  ///< in order
   std::vector<std::uint32_t> bin;        ///< by slot
 
-  Places(const Grid& grid, const Tiles& grid_tiles, bool staggered, const BodyParticles& body, ThreadPool& pool)
+  Places(const Grid& grid, const Tiles& grid_tiles, CellOrder order, const BodyParticles& body, ThreadPool& pool)
       : bin(body.size()) {
-    const PlaceFinder find(grid, grid_tiles, staggered);
+    const PlaceFinder find(grid, grid_tiles, order);
     const auto bins = static_cast<std::uint32_t>(find.bins());
     std::vector<FoundTiles> found(static_cast<std::size_t>(pool.size()));
     for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t begin, std::size_t end) {
@@ -256,13 +261,30 @@ struct TileRun {
   CellRange cells;
 };
 
+/// Of each row of bins the first ones of all bins, then the second ones, and so on. `begin`: where bins begin.
+void order_by_strips(std::vector<std::uint32_t>& slot_of, const std::vector<std::uint32_t>& begin,
+                     std::size_t bins_of_row, ThreadPool& pool) {
+  for_each_share(pool, begin.size() / bins_of_row, [&](std::size_t, std::size_t row, std::size_t end_row) {
+    std::vector<std::uint32_t> by_bin;
+    for (; row < end_row; ++row) {
+      const std::uint32_t *first = &begin[row * bins_of_row], *last = first + bins_of_row;
+      by_bin.assign(slot_of.begin() + *first, slot_of.begin() + *last);
+      std::uint32_t next = *first;
+      for (std::uint32_t place = 0; next < *last; ++place)
+        for (const std::uint32_t* bin = first; bin < last; ++bin)
+          if (bin[0] + place < bin[1]) slot_of[next++] = by_bin[bin[0] + place - *first];
+    }
+  });
+}
+
 /// The order of a body's particles by tiles and bins; appends its runs.
-std::vector<std::uint32_t> find_order(const Grid& grid, const Tiles& tiles, bool staggered,
+std::vector<std::uint32_t> find_order(const Grid& grid, const Tiles& tiles, CellOrder order,
                                       const BodyParticles& body, std::uint32_t index, std::vector<TileRun>& runs,
                                       ThreadPool& pool) {
-  const Places places(grid, tiles, staggered, body, pool);
+  const Places places(grid, tiles, order, body, pool);
   std::vector<std::uint32_t> begin(places.tiles.size() * places.bins_of_tile + 1);
   std::vector<std::uint32_t> slot_of = order_of(places.bin, begin, pool);
+  if (order.strips) order_by_strips(slot_of, begin, static_cast<std::size_t>(tiles.layout().side), pool);
   for (std::size_t t = 0; t < places.tiles.size(); ++t)
     runs.push_back({places.tiles[t].tile, body.field, index, begin[t * places.bins_of_tile],
                     begin[(t + 1) * places.bins_of_tile], places.tiles[t].cells});
@@ -279,8 +301,8 @@ void reorder(BodyParticles& body, const std::vector<std::uint32_t>& slot_of, Thr
   permute(body.number, slot_of, spare_numbers, pool);
 }
 
-/// Particles of a tile are cut into as few blocks as there must be, of about equal size and in whole rows of cells
-/// with four particles each.
+/// Particles of a tile are cut into as few blocks as there must be, of about equal size and so that rows of cells
+/// with four particles each stay whole.
 std::uint32_t block_share(std::uint32_t particles) {
   constexpr std::uint32_t row = 32, most = block_size;
   const std::uint32_t blocks = (particles + most - 1) / most, share = (particles + blocks - 1) / blocks;
@@ -299,7 +321,7 @@ void add_margins(std::vector<OccupiedTile>& occupied, const Layout& layout) {
 }  // namespace
 
 std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles) {
-  const PlaceFinder find(model.grid, tiles, false);
+  const PlaceFinder find(model.grid, tiles, {});
   std::map<std::uint32_t, FoundTiles> by_field;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     FoundTiles& found = by_field[model.contacts.field_of.empty() ? 0 : model.contacts.field_of[b]];
@@ -321,11 +343,11 @@ std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles)
   return occupied;
 }
 
-void sort_into_tiles(const Grid& grid, bool staggered, std::vector<BodyParticles>& bodies, Tiles& tiles,
+void sort_into_tiles(const Grid& grid, CellOrder order, std::vector<BodyParticles>& bodies, Tiles& tiles,
                      ThreadPool& pool) {
   std::vector<TileRun> runs;
   for (std::uint32_t b = 0; b < bodies.size(); ++b)
-    reorder(bodies[b], find_order(grid, tiles, staggered, bodies[b], b, runs, pool), pool);
+    reorder(bodies[b], find_order(grid, tiles, order, bodies[b], b, runs, pool), pool);
   std::sort(runs.begin(), runs.end(), [](const TileRun& a, const TileRun& b) {
     if (a.tile != b.tile) return before(a.tile, b.tile);
     return a.field != b.field ? a.field < b.field : a.body < b.body;

@@ -124,6 +124,7 @@ inline void tabulate(Block& block, int i) {
 template <class Shape, Layout L>
 inline void locate_corners(Block& block) {
   find_places<Shape, L>(block);
+  find_runs(block);
   for (int i = 0; i < block.count; ++i) tabulate<L.dimensions>(block, i);
 }
 template <class Shape, Layout L>

@@ -1,22 +1,12 @@
 #pragma once
 
 #include "solver/transfers/lanes.h"
-#include "solver/transfers/row_transfers.h"
 #include "solver/transfers/runs.h"
+#include "solver/transfers/strip_gather.h"
 
 /// Grid to particles, with any shape functions.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-/// What becomes of a vector that the nodes hold: put(i, axis, sums) gets a component at particle i, sums[0], and
-/// its derivatives per cell, sums[1 + axis].
-template <class Put>
-struct Gathered {
-  NodeVector vector;
-  Put put;
-};
-template <class Put>
-Gathered(NodeVector, Put) -> Gathered<Put>;
 
 /// Of so many runs from one on, or of that one alone if all together have more particles than there are lanes,
 /// across particles, so that nodes are read once for all of them and no vector's parts are to be added up. Returns
@@ -32,7 +22,7 @@ __attribute__((always_inline)) inline int gather_runs(const RealScratch& s, int 
     if (end - begin > Particles::lanes) return gather_runs<Stencil, L, 1>(s, run, gathered...);
   const NodesOfRuns<Lanes, Runs> nodes(s, run, s.window.data());
   for (int i = begin; i < end; i += Particles::lanes) {
-    const Particles particles(s, i);
+    const Particles particles(s, Consecutive<Lanes>{i});
     const auto gather_one = [&](const auto& one) __attribute__((always_inline)) {
 #pragma GCC unroll 3
       for (int a = 0; a < D; ++a) {
@@ -55,15 +45,10 @@ __attribute__((always_inline)) inline void gather(Block& block, const Gathered<P
   if constexpr (LanesOf<Stencil>::exist) {
     // As many as there are lanes for, with two particles to a cell's side.
     constexpr int room = LanesOf<Stencil>::Type::lanes >> (D < 2 ? 2 : D), runs = room > 1 ? room : 1;
-    const auto gather_stretch = [&](int begin, int end) __attribute__((always_inline)) {
-      for (int run = begin; run < end;) run += gather_runs<Stencil, L, runs>(s, run, gathered...);
-    };
-    if constexpr (has_cell_rows<Stencil>)
-      for_each_row_and_stretch(
-          s, s.cell_rows, [&](int first) __attribute__((always_inline)) { gather_row<L>(s, first, gathered...); },
-          gather_stretch);
-    else
-      gather_stretch(0, s.runs);
+    if constexpr (has_strips<Stencil>)
+      if (s.by_strips) return gather_strips<Stencil, L>(s, gathered...);
+    know_runs(block);
+    for (int run = 0; run < s.runs;) run += gather_runs<Stencil, L, runs>(s, run, gathered...);
   } else {
     using Row = typename Stencil::Row;
     const auto gather_one = [&](const auto& one) __attribute__((always_inline)) {

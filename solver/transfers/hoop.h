@@ -14,12 +14,21 @@ inline void scatter_hoop(Block& block) {
   using Row = typename Stencil::Row;
   RealScratch& s = scratch_of(block);
   const double* radius = block[Attribute::position_x];
+  // Nothing else needs accelerations before nodes have them.
+  Real* const pull = s.acceleration[0].values;
+#pragma GCC ivdep
+  for (int i = 0; i < block.count; ++i) pull[i] = Real(-s.virial_rest[i] / radius[i]);
+  const int which = quantity(sum_force, 0, L.dimensions);
   scatter<Stencil, L, 1>(
-      block, quantity(sum_force, 0, L.dimensions), [&](auto particles) __attribute__((always_inline)) {
-        const auto force = particles.template factor<Row>([&](int i) __attribute__((always_inline)) {
-          return Real(s.virial_rest[i] / radius[i]);
-        });
-        return [force](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) { *sums -= w * force; };
+      block, which,
+      [&](auto particles) __attribute__((always_inline)) {
+        return [pull = particles.template factor<Row>(pull)](int, Row w, const Row*, Row* sums)
+            __attribute__((always_inline)) {
+          *sums += w * pull;
+        };
+      },
+      [&](const auto& strips) __attribute__((always_inline)) {
+        strips.give(strips.weighed(block.sums + L.window_array(which), pull));
       });
 }
 

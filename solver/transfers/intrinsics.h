@@ -10,8 +10,9 @@
 
 #include "solver/executors/instruction_set.h"
 
-/// What compilers do not find by themselves: in kernels this file and masks.h alone name instructions.
-/// Each function says in plain code what it does; where the instruction set has nothing for it, that is what runs.
+/// What compilers do not find by themselves: in kernels this file, eight_lanes.h, find_ends.h and masks.h alone
+/// name instructions. Each function says in plain code what it does; where the instruction set has nothing for it,
+/// that is what runs.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
@@ -77,6 +78,14 @@ __attribute__((always_inline)) inline Vector multiply_add(Vector a, Vector b, Ve
 __attribute__((always_inline)) inline float multiply_add(float a, float b, float c) {
 #ifdef __FMA__
   return __builtin_fmaf(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
+__attribute__((always_inline)) inline double multiply_add(double a, double b, double c) {
+#ifdef __FMA__
+  return __builtin_fma(a, b, c);
 #else
   return a * b + c;
 #endif

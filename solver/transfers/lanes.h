@@ -48,20 +48,21 @@ class NodesOfRuns {
   LanesFrom<Lanes> lanes_[Runs];
 };
 
-/// Several consecutive particles at once, each a lane.
+/// Several particles at once, each a lane: consecutive ones, or those of a strip.
 template <int Nodes, Layout L, class Slopes = ShapeSlopes>
 struct ProductLanes {
   static constexpr int D = L.dimensions;
   static constexpr int lanes = LanesFor<Nodes, D>::count;
   using Lanes = typename LanesFor<Nodes, D>::Type;
 
-  __attribute__((always_inline)) ProductLanes(const RealScratch& s, int first) {
+  template <class Particles>
+  __attribute__((always_inline)) ProductLanes(const RealScratch& s, const Particles& particles) {
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis)
 #pragma GCC unroll 4
       for (int n = 0; n < Nodes; ++n) {
-        weight_[axis][n] = load<Lanes>(s.weight[axis][n].values + first);
-        slope_[axis][n] = Slopes::template lanes<Lanes>(s, axis, n, first);
+        weight_[axis][n] = particles.load(s.weight[axis][n].values);
+        slope_[axis][n] = Slopes::lanes(s, axis, n, particles);
       }
   }
 
@@ -98,10 +99,11 @@ struct ProductLanes<2, L, ShapeSlopes> {
   static constexpr int lanes = LanesFor<2, D>::count;
   using Lanes = typename LanesFor<2, D>::Type;
 
-  __attribute__((always_inline)) ProductLanes(const RealScratch& s, int first) {
+  template <class Particles>
+  __attribute__((always_inline)) ProductLanes(const RealScratch& s, const Particles& particles) {
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) {
-      upper_[axis] = load<Lanes>(s.place[axis].values + first);
+      upper_[axis] = particles.load(s.place[axis].values);
       lower_[axis] = 1 - upper_[axis];
     }
   }

@@ -1,69 +1,12 @@
 #pragma once
 
-#include "solver/transfers/cell_rows.h"
+#include "solver/transfers/find_places.h"
+#include "solver/transfers/strips.h"
 #include "solver/transfers/vectors.h"
 
-/// Where particles are: the first node of each one's stencil, and the shape functions there.
+/// The shape functions where particles are.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-/// The first node of each particle's stencil and its place in the stencil. A particle that is not where its tile
-/// allows is put to the nearest place that is, so that what follows is harmless, and counted.
-template <class Shape, Layout L>
-inline void find_places(Block& block) {
-  RealScratch& s = scratch_of(block);
-  const SweepConstants& c = *block.sweep;
-  struct Axis {
-    const double* x;
-    Real* place;
-    double origin, first, lowest, highest, period, divisor;
-  };
-  Axis axes[L.dimensions];
-  const double below = 1 - 0x1p-40, to_nodes = L.below - 1;
-  bool any_period = false;
-  for (int a = 0; a < L.dimensions; ++a) {
-    const double period = c.period[a];
-    axes[a] = {.x = block.component(Attribute::position_x, a),
-               .place = s.place[a].data(),
-               .origin = c.origin[a],
-               .first = block.window_first[a] - to_nodes,
-               .lowest = block.lowest[a] + to_nodes,
-               .highest = block.highest[a] + to_nodes + below,
-               .period = period,
-               .divisor = period > 0 ? period : 1};
-    any_period = any_period || period > 0;
-  }
-  const double inverse_cell = c.inverse_cell;
-  std::int64_t left = 0;
-  const auto find_each = [&](auto in_window) __attribute__((always_inline)) {
-#pragma GCC ivdep
-    for (int i = 0; i < block.count; ++i) {
-      double cell = 0;
-      int is_out = 0;
-#pragma GCC unroll 3
-      for (int a = 0; a < L.dimensions; ++a) {
-        const Axis& axis = axes[a];
-        const double at = in_window((axis.x[i] - axis.origin) * inverse_cell - axis.first, axis);
-        const double not_below = at > axis.lowest ? at : axis.lowest;
-        const double inside = not_below < axis.highest ? not_below : axis.highest;
-        is_out |= inside != at;
-        const double base = Shape::first_node(inside);
-        axis.place[i] = Real(inside - base);
-        cell += base * L.window_stride(a);
-      }
-      left += is_out;
-      s.cell[i] = static_cast<int>(cell);
-    }
-  };
-  if (any_period)
-    find_each([](double at, const Axis& axis) {
-      return at - axis.period * __builtin_floor((at - axis.lowest) / axis.divisor);
-    });
-  else
-    find_each([](double at, const Axis&) { return at; });
-  s.trouble.left_window += left;
-  find_runs(block);
-}
 
 /// Whether the stencils of particles in a block may reach beyond a face of the domain.
 inline bool reaches_a_face(const Block& block, int axis) {
@@ -130,7 +73,10 @@ inline void weigh_along(Block& block, int axis) {
 template <class Shape, Layout L, bool with_slopes = true>
 inline void locate(Block& block) {
   find_places<Shape, L>(block);
-  if constexpr (has_cell_rows<ProductStencil<Shape::nodes, L, ShapeSlopes>>) find_cell_rows(scratch_of(block));
+  if constexpr (has_strips<ProductStencil<Shape::nodes, L, ShapeSlopes>>)
+    find_strips<Shape::nodes, L>(block);
+  else
+    find_runs(block);
   for (int axis = 0; axis < L.dimensions; ++axis) {
     // Two nodes' weights follow from the place alone.
     if constexpr (Shape::nodes > 2) weigh_along<Shape, with_slopes>(block, axis);

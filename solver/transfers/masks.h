@@ -57,28 +57,5 @@ struct LanesFrom {
   Indices mask;
 };
 
-/// Writes the indices i in 1 .. count - 1 with values[i] != values[i - 1], in order, and returns how many there
-/// are. Without a branch that depends on the values, and with room for 16 indices more.
-inline int find_changes(const std::int32_t* values, int count, std::int32_t* out) {
-  int found = 0;
-#ifdef __AVX512F__
-  __m512i index = _mm512_setr_epi32(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
-  for (int i = 1; i < count; i += 16, index = _mm512_add_epi32(index, _mm512_set1_epi32(16))) {
-    const auto there = static_cast<__mmask16>(count - i < 16 ? (1 << (count - i)) - 1 : 0xFFFF);
-    const __m512i before = _mm512_maskz_loadu_epi32(there, values + i - 1);
-    const __mmask16 changed =
-        _mm512_mask_cmpneq_epi32_mask(there, _mm512_maskz_loadu_epi32(there, values + i), before);
-    _mm512_storeu_si512(out + found, _mm512_maskz_compress_epi32(changed, index));
-    found += __builtin_popcount(changed);
-  }
-#else
-  for (int i = 1; i < count; ++i) {
-    out[found] = i;
-    found += values[i] != values[i - 1];
-  }
-#endif
-  return found;
-}
-
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan

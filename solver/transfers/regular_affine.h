@@ -46,6 +46,12 @@ struct LinearVelocity {
   }
   static Real per_node(const Block& block) { return Real(block.sweep->inverse_cell) / Shape::inertia; }
 
+  template <class Strips>
+  __attribute__((always_inline)) static auto given(const Strips& strips, double* to, const Block& block,
+                                                   int axis) {
+    return strips.linear_momentum(to, scratch_of(block).velocity[axis].values, affine(block, axis, 0),
+                                  affine(block, axis, 1), per_node(block));
+  }
   /// A row's momentum.
   template <class Row, class Particles>
   class Of {

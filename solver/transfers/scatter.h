@@ -14,7 +14,7 @@ inline void scatter_state(Block& block) {
   using Row = typename Stencil::Row;
   RealScratch& s = scratch_of(block);
   const RealArray* force = s.force_on_nodes();
-  s.trouble.runs += s.runs;
+  s.trouble.runs += s.by_strips ? s.full_strips.size + s.sparse_strips.size : s.runs;
   double* const to = block.sums;
   scatter_rows<Stencil, L, quantities(2, D)>(
       block,
@@ -39,14 +39,16 @@ inline void scatter_state(Block& block) {
       [=](int q, std::int64_t at, Row row) __attribute__((always_inline)) {
         Stencil::add_row(to + L.window_array(q) + at, q < quantity(sum_force, 0, D) ? row : -row);
       },
-      [&](const auto& row, int at) __attribute__((always_inline)) {
-        row.add_mass(to + at);
-#pragma GCC unroll 3
-        for (int a = 0; a < D; ++a) {
-          row.add_momentum(to + L.window_array(quantity(sum_momentum, a, D)) + at,
-                           component_of(block, Attribute::velocity_x, a));
-          row.add_force(to + L.window_array(quantity(sum_force, a, D)) + at, force[D * a].values,
-                        force[D * a + 1].values);
+      [&](const auto& strips) __attribute__((always_inline)) {
+        if constexpr (has_strips<Stencil>) {
+          const auto momentum = [&](int a) __attribute__((always_inline)) {
+            return Velocity::given(strips, to + L.window_array(quantity(sum_momentum, a, D)), block, a);
+          };
+          const auto resistance = [&](int a) __attribute__((always_inline)) {
+            return strips.force(to + L.window_array(quantity(sum_force, a, D)), force[D * a].values,
+                                force[D * a + 1].values);
+          };
+          strips.give(strips.mass(to), momentum(0), momentum(1), resistance(0), resistance(1));
         }
       });
 }
@@ -55,11 +57,13 @@ template <class Stencil, Layout L>
 inline void scatter_mass(Block& block) {
   using Row = typename Stencil::Row;
   scatter<Stencil, L, 1>(
-      block, quantity_mass, [&](auto particles) __attribute__((always_inline)) {
+      block, quantity_mass,
+      [&](auto particles) __attribute__((always_inline)) {
         return [&, particles ](int, Row w, const Row*, Row* sums) __attribute__((always_inline)) {
           *sums += w * masses<Row>(block, particles);
         };
-      });
+      },
+      [&](const auto& strips) __attribute__((always_inline)) { strips.give(strips.mass(block.sums)); });
 }
 
 /// A vector times mass: Velocity::Of<Row, Particles>{of, particles}.add_momentum(axis, row, weights times
@@ -79,11 +83,12 @@ __attribute__((always_inline)) inline void scatter_products(Block& block, SumVec
           for (int a = 0; a < D; ++a) sums[a] = velocity.add_momentum(a, row, m, slopes, sums[a]);
         };
       },
-      [&](const auto& cells, int at) __attribute__((always_inline)) {
-        if constexpr (has_cell_rows<Stencil>) {
-#pragma GCC unroll 3
-          for (int a = 0; a < D; ++a)
-            cells.add_momentum(block.sums + L.window_array(quantity(vector, a, D)) + at, Velocity::values(of, a));
+      [&](const auto& strips) __attribute__((always_inline)) {
+        if constexpr (has_strips<Stencil>) {
+          const auto given = [&](int a) __attribute__((always_inline)) {
+            return Velocity::given(strips, block.sums + L.window_array(quantity(vector, a, D)), of, a);
+          };
+          strips.give(given(0), given(1));
         }
       });
 }

@@ -1,24 +1,25 @@
 #pragma once
 
-#include "solver/transfers/row_transfers.h"
-#include "solver/transfers/stencil.h"
+#include "solver/transfers/runs.h"
+#include "solver/transfers/strip_scatter.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// No rows of cells: for `scatter_rows`.
-struct CellByCell {};
+/// No strips: for `scatter_rows`.
+struct RunByRun {};
 
 /// Adds what particles give to their nodes. give(RowParticles) is a function that adds what they give to a row of
 /// nodes, of (which row, weights, slopes[D], sums of the row). The sums of a run stay in registers until the nodes
-/// change; then add(which, index of the row's first node, sum) is called for each. Where functions have rows of
-/// cells and these have particles of equal mass, give_cells(RowScatter, index of the first node) is called
-/// instead, unless it is CellByCell.
-template <class Stencil, Layout L, int Sums, class Give, class Add, class GiveCells = CellByCell>
+/// change; then add(which, index of the row's first node, sum) is called for each. Where particles lie in strips
+/// give_strips(StripScatter) is called instead, unless it is RunByRun.
+template <class Stencil, Layout L, int Sums, class Give, class Add, class GiveStrips = RunByRun>
 __attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& give, Add&& add_sum,
-                                                        GiveCells&& give_cells = {}) {
+                                                        GiveStrips&& give_strips = {}) {
   using Row = typename Stencil::Row;
-  const RealScratch& s = scratch_of(block);
+  RealScratch& s = scratch_of(block);
+  if constexpr (has_strips<Stencil> && !std::is_same_v<std::remove_cvref_t<GiveStrips>, RunByRun>)
+    if (s.by_strips) return give_strips(StripScatter<Stencil::nodes, L>(block));
   const auto scatter_run = [&](int begin, int end, std::int64_t node) __attribute__((always_inline)) {
     Row of_run[Stencil::rows][Sums] = {};
     const auto give_rows = [&](auto particles) __attribute__((always_inline)) {
@@ -44,28 +45,20 @@ __attribute__((always_inline)) inline void scatter_rows(Block& block, Give&& giv
     const RowParticles<together, 1> first{begin};
     Stencil(s, first).for_each_row(first, add_sums);
   };
-  const auto scatter_stretch = [&](int begin, int end) __attribute__((always_inline)) {
-    for_each_run(s, begin, end, scatter_run);
-  };
-  if constexpr (has_cell_rows<Stencil> && !std::is_same_v<std::remove_cvref_t<GiveCells>, CellByCell>)
-    for_each_row_and_stretch(
-        s, block[Attribute::reference_volume] ? 0 : s.cell_rows,
-        [&](int first) __attribute__((always_inline)) { give_cells(RowScatter<L>(block, first), s.cell[first]); },
-        scatter_stretch);
-  else
-    scatter_stretch(0, s.runs);
+  know_runs(block);
+  for_each_run(s, scatter_run);
 }
 
 /// The same with one sum for each of so many quantities from `first` on.
-template <class Stencil, Layout L, int Quantities, class Give, class GiveCells = CellByCell>
+template <class Stencil, Layout L, int Quantities, class Give, class GiveStrips = RunByRun>
 __attribute__((always_inline)) inline void scatter(Block& block, int first, Give&& give,
-                                                   GiveCells&& give_cells = {}) {
+                                                   GiveStrips&& give_strips = {}) {
   double* sums = block.sums + L.window_array(first);
   scatter_rows<Stencil, L, Quantities>(
       block, give,
       [=](int q, std::int64_t at, auto row)
           __attribute__((always_inline)) { Stencil::add_row(sums + L.window_array(q) + at, row); },
-      give_cells);
+      give_strips);
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

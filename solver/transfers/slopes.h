@@ -10,9 +10,9 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 template <class Kind>
 struct StoredSlopes {
-  template <class Lanes>
-  static Lanes lanes(const RealScratch& s, int axis, int node, int first) {
-    return load<Lanes>(Kind::along(s, axis)[node].values + first);
+  template <class Particles>
+  static auto lanes(const RealScratch& s, int axis, int node, const Particles& particles) {
+    return particles.load(Kind::along(s, axis)[node].values);
   }
 };
 struct ShapeSlopes : StoredSlopes<ShapeSlopes> {
@@ -25,10 +25,9 @@ struct LeverSlopes : StoredSlopes<LeverSlopes> {
 };
 /// Weights times the distances of nodes, in cells: levers times D, where that is the same everywhere.
 struct WeighedDistances {
-  template <class Lanes>
-  static Lanes lanes(const RealScratch& s, int axis, int node, int first) {
-    return load<Lanes>(s.weight[axis][node].values + first) *
-           (Real(node) - load<Lanes>(s.place[axis].values + first));
+  template <class Particles>
+  static auto lanes(const RealScratch& s, int axis, int node, const Particles& particles) {
+    return particles.load(s.weight[axis][node].values) * (Real(node) - particles.load(s.place[axis].values));
   }
   static Real inertia(const RealScratch&, int, int) { return 1; }
 };

@@ -8,7 +8,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// Two nodes along each axis: all corners of a cell are one row.
 template <Layout L, class... Slopes>
 struct ProductStencil<2, L, Slopes...> {
-  static constexpr int D = L.dimensions, kinds = sizeof...(Slopes), rows = 1, together = 1;
+  static constexpr int D = L.dimensions, nodes = 2, kinds = sizeof...(Slopes), rows = 1, together = 1;
   using Row = std::conditional_t<D == 1, Pair, std::conditional_t<D == 2, Four, Eight>>;
 
   __attribute__((always_inline)) ProductStencil(const RealScratch& s, RowParticles<1> of) {

@@ -9,8 +9,10 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// Particles that have the same velocity everywhere.
 struct UniformVelocity {
-  static const Real* values(const Block& block, int axis) {
-    return component_of(block, Attribute::velocity_x, axis);
+  template <class Strips>
+  __attribute__((always_inline)) static auto given(const Strips& strips, double* to, const Block& block,
+                                                   int axis) {
+    return strips.momentum(to, component_of(block, Attribute::velocity_x, axis));
   }
   /// A row's momentum. `m`: weights times mass.
   template <class Row, class Particles>
@@ -24,7 +26,11 @@ struct UniformVelocity {
 };
 /// The same of another vector.
 struct UniformVector {
-  static const Real* values(const RealArray* of, int axis) { return of[axis].values; }
+  template <class Strips>
+  __attribute__((always_inline)) static auto given(const Strips& strips, double* to, const RealArray* of,
+                                                   int axis) {
+    return strips.momentum(to, of[axis].values);
+  }
   template <class Row, class Particles>
   struct Of {
     __attribute__((always_inline)) Row add_momentum(int axis, int, Row m, const Row*, Row sum) const {

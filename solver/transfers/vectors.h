@@ -46,6 +46,15 @@ template <class Vector, class Number>
 __attribute__((always_inline)) inline Vector spread(Number number) {
   return number - Vector{};
 }
+/// Consecutive particles, from one on.
+template <class Lanes>
+struct Consecutive {
+  __attribute__((always_inline)) Lanes load(const Real* values) const {
+    return trajan::load<Lanes>(values + first);
+  }
+  int first;
+};
+
 /// A pointer of which the compiler forgets where it comes from: it would keep the addresses of all that is read by
 /// it in registers that there are not.
 __attribute__((always_inline)) inline const Real* hidden(const Real* p) {

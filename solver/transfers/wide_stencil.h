@@ -14,7 +14,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// floats are as wide as one in doubles: in space by quadratic B-splines 118 -> 104 ns per particle and step.
 template <int Nodes, Layout L, class... Slopes>
 struct ProductStencil {
-  static constexpr int D = L.dimensions, kinds = sizeof...(Slopes),
+  static constexpr int D = L.dimensions, nodes = Nodes, kinds = sizeof...(Slopes),
                        rows = D < 2   ? 1
                               : D < 3 ? Nodes
                                       : Nodes * Nodes;

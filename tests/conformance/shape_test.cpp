@@ -185,7 +185,7 @@ void gather_linear_fields(TileOfParticles<Number> tile) {
             << "particle " << i << ", component " << a << ", derivative " << b;
     }
   }
-  EXPECT_EQ(tile.scratch.trouble.left_window, 0);
+  EXPECT_FALSE(tile.scratch.trouble.left_window);
 }
 
 /// Mass and its centre, momentum, and forces that are in balance: their sum is none, their virial the particles'.

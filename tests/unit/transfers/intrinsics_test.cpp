@@ -1,8 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <functional>
+#include <random>
 #include <vector>
 
+#include "solver/transfers/find_ends.h"
 #include "solver/transfers/masks.h"
 #include "solver/transfers/vectors.h"
 
@@ -80,18 +85,60 @@ TEST(Converted, KeepsFloatsInTheirLanes) {
   for (int lane = 0; lane < 8; ++lane) EXPECT_EQ(converted<double>(eight)[lane], eight[lane]) << lane;
 }
 
-TEST(FindChanges, FindsTheFirstOfEveryRunOfEqualValuesWhateverTheirNumber) {
+/// Those that find_ends gives are those of all indices at which is_end(value before, value) is true.
+template <class At, class IsEnd>
+void expect_ends(const std::vector<std::int32_t>& values, IsEnd&& is_end) {
+  std::vector<std::int32_t> expected;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (is_end(values[i - 1], values[i])) expected.push_back(static_cast<std::int32_t>(i));
+  std::vector<std::int32_t> found(values.size() + 16, -1);
+  const int count = find_ends<At>(values.data(), static_cast<int>(values.size()), found.data());
+  found.resize(static_cast<std::size_t>(count));
+  EXPECT_EQ(found, expected) << testing::PrintToString(values);
+}
+
+TEST(FindEnds, FindsTheFirstOfEveryRunOfEqualValuesWhateverTheirNumber) {
   for (int count = 1; count < 40; ++count)
     for (int period = 1; period < 12; ++period) {
-      std::vector<std::int32_t> values, expected;
-      for (int i = 0; i < count; ++i) {
-        values.push_back(i / period % 3);
-        if (i > 0 && values[i] != values[i - 1]) expected.push_back(i);
-      }
-      std::vector<std::int32_t> found(values.size() + 16, -1);
-      found.resize(static_cast<std::size_t>(find_changes(values.data(), count, found.data())));
-      EXPECT_EQ(found, expected) << count << ' ' << period;
+      std::vector<std::int32_t> values;
+      for (int i = 0; i < count; ++i) values.push_back(i / period % 3);
+      expect_ends<Changes>(values, std::not_equal_to<>());
     }
+}
+
+TEST(FindEnds, FindsWhereValuesNoLongerGrowOrAreOfAnotherRow) {
+  constexpr int row = 11;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::int32_t> step(-1, 5);
+  for (int count = 1; count < 150; ++count) {
+    std::vector<std::int32_t> values{0};
+    for (int i = 1; i < count; ++i) values.push_back(std::clamp(values.back() + step(random), 0, row * row - 1));
+    expect_ends<RiseEnds<row>>(values,
+                               [](int before, int now) { return now <= before || now / row != before / row; });
+  }
+}
+
+TEST(EightLanes, ArePutInAnotherOrderReadInPartAndCounted) {
+  EightFloats values;
+  EightLanes from;
+  for (int lane = 0; lane < 8; ++lane) values[lane] = 0.5F + static_cast<float>(lane), from[lane] = 5 * lane + 3;
+  const EightFloats moved = permuted(values, from);
+  for (int lane = 0; lane < 8; ++lane) EXPECT_EQ(moved[lane], values[(5 * lane + 3) % 8]) << lane;
+  for (std::int32_t bits = 0; bits < 256; ++bits) {
+    const EightLanes lanes = lanes_of(bits), before = count_lanes_before(bits);
+    const std::vector<float> only(static_cast<std::size_t>(std::bit_width(static_cast<std::uint32_t>(bits))),
+                                  2.5F);
+    const EightFloats read = load_only(only.data(), lanes);
+    int count = 0;
+    for (int lane = 0; lane < 8; ++lane) {
+      const bool set = bits >> lane & 1;
+      EXPECT_EQ(lanes[lane], set ? -1 : 0) << bits << ' ' << lane;
+      EXPECT_EQ(read[lane], set ? 2.5F : 0.0F) << bits << ' ' << lane;
+      EXPECT_EQ(before[lane], count) << bits << ' ' << lane;
+      count += set;
+    }
+    EXPECT_EQ(sum_of_lanes(lanes), -count) << bits;
+  }
 }
 
 }  // namespace

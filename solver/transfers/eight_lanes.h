@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "solver/transfers/intrinsics.h"
+
+/// Eight lanes of floats in another order, or some of them.
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+using EightLanes = VectorOf<std::int32_t, 8>::Type;
+using EightFloats = VectorOf<float, 8>::Type;
+
+/// values[from[lane] % 8] in each lane.
+__attribute__((always_inline)) inline EightFloats permuted(EightFloats values, EightLanes from) {
+#ifdef __AVX2__
+  return _mm256_permutevar8x32_ps(values, reinterpret_cast<__m256i>(from));
+#else
+  EightFloats result{};
+  for (int lane = 0; lane < 8; ++lane) result[lane] = values[from[lane] & 7];
+  return result;
+#endif
+}
+/// values[0] .. of the lanes that have all bits; others are zero and not read.
+__attribute__((always_inline)) inline EightFloats load_only(const float* values, EightLanes lanes) {
+#ifdef __AVX2__
+  return _mm256_maskload_ps(values, reinterpret_cast<__m256i>(lanes));
+#else
+  EightFloats result{};
+  for (int lane = 0; lane < 8; ++lane)
+    if (lanes[lane] != 0) result[lane] = values[lane];
+  return result;
+#endif
+}
+/// All bits of the lanes whose bit is set.
+__attribute__((always_inline)) inline EightLanes lanes_of(std::int32_t bits) {
+  constexpr EightLanes of_lane{1, 2, 4, 8, 16, 32, 64, 128};
+  return (of_lane & bits) != 0;
+}
+__attribute__((always_inline)) inline std::int32_t sum_of_lanes(EightLanes v) {
+  v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 4, 5, 6, 7);
+  v += __builtin_shufflevector(v, v, 2, 3, 2, 3, 6, 7, 6, 7);
+  return v[0] + v[1];
+}
+
+/// For each set of lanes how many of them are before each lane.
+inline constexpr auto lanes_before = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> before{};
+  for (std::uint32_t bits = 0; bits < before.size(); ++bits)
+    for (std::uint32_t lane = 0; lane < 8; ++lane)
+      before[bits][lane] = static_cast<std::uint8_t>(std::popcount(bits & ((1u << lane) - 1)));
+  return before;
+}();
+__attribute__((always_inline)) inline EightLanes count_lanes_before(std::int32_t bits) {
+  using EightBytes = VectorOf<std::uint8_t, 8>::Type;
+  EightBytes before;
+  __builtin_memcpy(&before, lanes_before[static_cast<std::size_t>(bits)].data(), sizeof before);
+  return __builtin_convertvector(before, EightLanes);
+}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

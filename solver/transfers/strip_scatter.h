@@ -1,0 +1,89 @@
+#pragma once
+
+#include "solver/transfers/strip_sums.h"
+
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Lets the particles of a block that lie in strips give something to their nodes.
+template <int Nodes, Layout L>
+class StripScatter {
+ public:
+  explicit StripScatter(Block& block)
+      : s_(scratch_of(block)),
+        mass_{Real(block.body->mass), block[Attribute::reference_volume] ? s_.mass.values : nullptr} {
+    if (mass_.of_particles)
+      for (int i = 0; i < block.count; ++i) s_.mass[i] = Real(block.mass(i));
+  }
+
+  auto mass(double* to) const { return products(to, mass_); }
+  /// A component of a vector of which `values` are the particles', times mass.
+  auto momentum(double* to, const float* values) const {
+    return products(
+        to, [ mass = mass_, values ](const auto& strip)
+                __attribute__((always_inline)) { return mass(strip) * strip.load(values); });
+  }
+  auto linear_momentum(double* to, const float* at_first, const float* moment_x, const float* moment_y,
+                       float factor) const {
+    return GivenLinearMomentum<Nodes, L, Mass>{to, mass_, at_first, moment_x, moment_y, factor};
+  }
+  /// `values` themselves.
+  auto weighed(double* to, const float* values) const {
+    return products(
+        to, [values](const auto& strip) __attribute__((always_inline)) { return strip.load(values); });
+  }
+  auto force(double* to, const float* across_x, const float* across_y) const {
+    return GivenForce<Nodes, L>{to, s_, across_x, across_y};
+  }
+
+  /// Of two nodes along an axis the sums of all find room in registers.
+  template <class... Given>
+  __attribute__((always_inline)) void give(const Given&... given) const {
+    if constexpr (Nodes == 2)
+      give_at_once(given...);
+    else
+      (give_at_once(given), ...);
+  }
+
+ private:
+  struct Mass {
+    template <class OneStrip>
+    __attribute__((always_inline)) Cells operator()(const OneStrip& strip) const {
+      return of_particles ? strip.load(of_particles) : strip.only_there(spread<Cells>(of_each));
+    }
+    Real of_each;
+    const Real* of_particles;
+  };
+  template <class Value>
+  static auto products(double* to, Value value) {
+    return GivenProducts<Nodes, L, Value>{to, value};
+  }
+  template <class... Given>
+  __attribute__((always_inline)) void give_at_once(const Given&... given) const {
+    give_of<SparseStrip>(given...);
+    give_of<FullStrip>(given...);
+  }
+  /// In groups of strips that have the same lanes.
+  template <class OneStrip, class... Given>
+  __attribute__((always_inline)) void give_of(const Given&... given) const {
+    const auto& list = OneStrip::list(s_);
+    for (int i = 0; i < list.size;) {
+      const int cell = list.cell[i];
+      [&](auto... sums) __attribute__((always_inline)) {
+        do {
+          const OneStrip strip(s_, i);
+          const AlongAxis<Nodes> x(s_, 0, strip), y(s_, 1, strip);
+          (sums.add(strip, x, y), ...);
+        } while (++i < list.size && list.cell[i] == cell);
+        (sums.finish(cell), ...);
+      }
+      (given...);
+    }
+  }
+
+  RealScratch& s_;
+  Mass mass_;
+};
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "solver/transfers/strip_nodes.h"
+
+/// What particles in strips give to nodes, before these get it.
+namespace trajan {
+inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// \name What strips give to their nodes
+/// Each is added up for all strips of a group before nodes get it. `to`: sums of a quantity.
+/// @{
+
+/// Of numbers, each strip's by `Value`, times weights.
+template <int Nodes, Layout L, class Value>
+struct GivenProducts {
+  template <class OneStrip>
+  __attribute__((always_inline)) void add(const OneStrip& strip, const AlongAxis<Nodes>& x,
+                                          const AlongAxis<Nodes>& y) {
+    const Cells value = value_of(strip);
+#pragma GCC unroll 4
+    for (int j = 0; j < Nodes; ++j) {
+      const Cells row = y.weight[j] * value;
+#pragma GCC unroll 4
+      for (int i = 0; i < Nodes; ++i) sums.node[j][i] = multiply_add(x.weight[i], row, sums.node[j][i]);
+    }
+  }
+  __attribute__((always_inline)) void finish(std::int32_t cell) const { sums.add_to(to + cell); }
+
+  double* to;
+  Value value_of;
+  NodesOfStrips<Nodes, L> sums{};
+};
+
+/// A component of internal forces, of the parts that act across both axes.
+template <int Nodes, Layout L>
+struct GivenForce {
+  template <class OneStrip>
+  __attribute__((always_inline)) void add(const OneStrip& strip, const AlongAxis<Nodes>& x,
+                                          const AlongAxis<Nodes>& y) {
+    const Cells fx = strip.load(across_x), fy = strip.load(across_y);
+    if constexpr (Nodes == 2) {
+      // Slopes along one axis are weights along the other.
+#pragma GCC unroll 2
+      for (int n = 0; n < 2; ++n) {
+        along_x[n] = multiply_add(y.weight[n], fx, along_x[n]);
+        along_y[n] = multiply_add(x.weight[n], fy, along_y[n]);
+      }
+    } else {
+      Cells slope_x[Nodes];
+#pragma GCC unroll 4
+      for (int i = 0; i < Nodes; ++i) slope_x[i] = strip.load(scratch.slope[0][i].values);
+#pragma GCC unroll 4
+      for (int j = 0; j < Nodes; ++j) {
+        const Cells row_x = y.weight[j] * -fx, row_y = strip.load(scratch.slope[1][j].values) * -fy;
+#pragma GCC unroll 4
+        for (int i = 0; i < Nodes; ++i)
+          sums.node[j][i] = multiply_add(slope_x[i], row_x, multiply_add(x.weight[i], row_y, sums.node[j][i]));
+      }
+    }
+  }
+  __attribute__((always_inline)) void finish(std::int32_t cell) {
+    if constexpr (Nodes == 2)
+      sums = {{{along_x[0] + along_y[0], along_y[1] - along_x[0]},
+               {along_x[1] - along_y[0], -along_x[1] - along_y[1]}}};
+    sums.add_to(to + cell);
+  }
+
+  double* to;
+  const RealScratch& scratch;
+  const float *across_x, *across_y;
+  NodesOfStrips<Nodes, L> sums{};
+  Cells along_x[2]{}, along_y[2]{};
+};
+/// Of a velocity that is `at_first` at a particle's first node and grows by `factor` times moments from one node
+/// to the next: momentum.
+template <int Nodes, Layout L, class Mass>
+struct GivenLinearMomentum {
+  template <class OneStrip>
+  __attribute__((always_inline)) void add(const OneStrip& strip, const AlongAxis<Nodes>& x,
+                                          const AlongAxis<Nodes>& y) {
+    const Cells mass = mass_of(strip), along_x = factor * strip.load(moment_x),
+                along_y = factor * strip.load(moment_y);
+    Cells velocity = strip.load(at_first);
+#pragma GCC unroll 4
+    for (int j = 0; j < Nodes; ++j, velocity += along_y) {
+      const Cells of_row = y.weight[j] * mass, row = of_row * velocity, change = of_row * along_x;
+#pragma GCC unroll 4
+      for (int i = 0; i < Nodes; ++i)
+        sums.node[j][i] =
+            multiply_add(x.weight[i], multiply_add(spread<Cells>(float(i)), change, row), sums.node[j][i]);
+    }
+  }
+  __attribute__((always_inline)) void finish(std::int32_t cell) const { sums.add_to(to + cell); }
+
+  double* to;
+  Mass mass_of;
+  const float *at_first, *moment_x, *moment_y;
+  float factor;
+  NodesOfStrips<Nodes, L> sums{};
+};
+/// @}
+
+}  // namespace TRAJAN_INSTRUCTION_SET
+}  // namespace trajan

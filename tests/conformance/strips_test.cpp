@@ -1,0 +1,167 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <string_view>
+
+#include "solver/schemes/kernels.h"
+
+/// What particles give and get that lie in strips must be what they give and get cell by cell. In floats and in a
+/// plane kernels work on strips.
+namespace trajan {
+namespace {
+
+struct Particle {
+  double at[2];  ///< in cells of the window, its own from 1 on
+  float velocity[2], force[4];
+  double volume;
+};
+
+constexpr int side = 8;
+
+/// Of the upper half of a tile, in the order of memory: for each row of cells one of each, then a second one of
+/// each, and so on. Most cells have four, some others as many as chance has it.
+std::vector<Particle> random_particles(double share_of_others) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  std::uniform_int_distribution<int> some(0, 6);
+  std::vector<Particle> particles;
+  for (int y = 1; y <= 4; ++y) {
+    int count[side];
+    for (int& of_cell : count) of_cell = anywhere(random) < share_of_others ? some(random) : 4;
+    for (int i = 0; i < 6; ++i)
+      for (int x = 1; x <= side; ++x) {
+        if (i >= count[x - 1] || particles.size() >= block_size) continue;
+        Particle p{{x + anywhere(random), y + anywhere(random)}, {}, {}, 1 + anywhere(random)};
+        for (float& v : p.velocity) v = static_cast<float>(anywhere(random) - 0.5);
+        for (float& f : p.force) f = static_cast<float>(anywhere(random) - 0.5);
+        particles.push_back(p);
+      }
+  }
+  return particles;
+}
+
+/// What particles have given to nodes and got from them.
+struct Exchanged {
+  bool by_strips;
+  int full_strips;
+  std::vector<double> sums, acceleration[2], velocity[2], gradient[4];
+};
+
+struct How {
+  const char* shape_functions;
+  Margin margin;
+  bool equal_masses;
+};
+
+/// In doubles or floats.
+template <class Number>
+class Exchange {
+ public:
+  Exchange(const std::vector<Particle>& particles, const How& how)
+      : kernels_(*grid_kernels().transfer(how.shape_functions, Dimension::plane_strain, how.margin)),
+        sums_(static_cast<std::size_t>(quantities(sum_vectors, 2) * kernels_.layout.window_nodes)) {
+    scratch_.prepare(static_cast<std::size_t>(quantities(node_vectors, 2) * kernels_.layout.window_nodes), 0, 0);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> anywhere(-1, 1);
+    for (Number& node : scratch_.window) node = anywhere(random);
+    sweep_.cell = sweep_.inverse_cell = 1;
+    body_.mass = 1.75, body_.density = 1.25;
+    block_.count = static_cast<int>(particles.size());
+    block_.body = &body_, block_.sweep = &sweep_, block_.scratch = &scratch_, block_.sums = sums_.data();
+    for (const Particle& p : particles) volume_.push_back(p.volume);
+    if (!how.equal_masses) block_.arrays[index(Attribute::reference_volume, 0)] = volume_.data();
+    for (int a = 0; a < 2; ++a) {
+      for (const Particle& p : particles) position_[a].push_back(p.at[a]), velocity_[a].push_back(p.velocity[a]);
+      block_.arrays[index(Attribute::position_x, a)] = position_[a].data();
+      put(velocity_[a].data(), index(Attribute::velocity_x, a));
+      block_.lowest[a] = 1, block_.highest[a] = side;
+      sweep_.faces[a] = 1000;
+      body_.half_size[a] = 0.25;
+    }
+    auto* force = const_cast<BlockArray<Number>*>(scratch_.force_on_nodes());
+    for (int f = 0; f < 4; ++f)
+      for (std::size_t i = 0; i < particles.size(); ++i) force[f][static_cast<int>(i)] = particles[i].force[f];
+  }
+
+  Exchanged all() {
+    kernels_.locate(block_);
+    EXPECT_FALSE(scratch_.trouble.left_window);
+    kernels_.scatter_state(block_);
+    kernels_.scatter_momentum(block_);
+    kernels_.gather_acceleration(block_);
+    kernels_.gather_motion(block_);
+    Exchanged all{scratch_.by_strips, scratch_.full_strips.size, {sums_.begin(), sums_.end()}, {}, {}, {}};
+    const auto copy = [&](const BlockArray<Number>& from) {
+      return std::vector<double>(from.values, from.values + block_.count);
+    };
+    for (int a = 0; a < 2; ++a) {
+      all.acceleration[a] = copy(scratch_.acceleration[a]);
+      all.velocity[a] = copy(scratch_.velocity[a]);
+    }
+    for (int g = 0; g < 4; ++g) all.gradient[g] = copy(scratch_.gradient_of_grid()[g]);
+    return all;
+  }
+
+ private:
+  static const GridKernels& grid_kernels() {
+    return std::is_same_v<Number, float> ? trajan::kernels().floats : trajan::kernels().doubles;
+  }
+  static std::size_t index(Attribute first, int axis) {
+    return static_cast<std::size_t>(static_cast<int>(first) + axis);
+  }
+  void put(float* values, std::size_t at) { block_.floats[at] = values; }
+  void put(double* values, std::size_t at) { block_.arrays[at] = values; }
+
+  const TransferKernels& kernels_;
+  TransferScratch<Number> scratch_;
+  SweepConstants sweep_;
+  BodyConstants body_;
+  AlignedDoubles sums_;
+  std::vector<double> position_[2], volume_;
+  std::vector<Number> velocity_[2];
+  Block block_;
+};
+
+class Strips : public testing::TestWithParam<std::tuple<double, How>> {};
+INSTANTIATE_TEST_SUITE_P(
+    SharesOfOthers, Strips,
+    testing::Combine(testing::Values(0.0, 0.05, 0.3, 1.0),
+                     testing::Values(How{"linear", Margin::none, true}, How{"linear", Margin::one_cell, true},
+                                     How{"linear", Margin::none, false}, How{"gimp", Margin::one_cell, true},
+                                     How{"quadratic_bspline", Margin::none, true},
+                                     How{"quadratic_bspline", Margin::one_cell, false},
+                                     How{"cubic_bspline", Margin::none, true},
+                                     How{"cubic_bspline", Margin::one_cell, true})));
+
+TEST_P(Strips, GiveAndGetWhatTheirParticlesDoInDoubles) {
+  const auto& [others, how] = GetParam();
+  const std::vector<Particle> particles = random_particles(others);
+  const Exchanged strips = Exchange<float>(particles, how).all(), exact = Exchange<double>(particles, how).all();
+  EXPECT_FALSE(exact.by_strips);
+  if (__builtin_cpu_supports("avx2")) {
+    // Where stencils change in the middle of cells a cell's particles are of two of them, as chance has it.
+    const std::string_view name = how.shape_functions;
+    const bool staggered = name == "gimp" || name == "quadratic_bspline";
+    EXPECT_TRUE(strips.by_strips || staggered);
+    EXPECT_GE(strips.full_strips, staggered || others == 1 ? 0 : others > 0 ? 1 : 16);
+  }
+  // A node's sums have some 64 terms of about one, each rounded some five times.
+  constexpr double rounding = 320 * std::numeric_limits<float>::epsilon();
+  EXPECT_THAT(strips.sums, testing::Pointwise(testing::DoubleNear(rounding), exact.sums));
+  const auto expect_same = [](const std::vector<double>& got, const std::vector<double>& expected) {
+    // Products of two weights and a number of about one, up to sixteen of them, and what places are rounded to.
+    EXPECT_THAT(got,
+                testing::Pointwise(testing::DoubleNear(32 * std::numeric_limits<float>::epsilon()), expected));
+  };
+  for (int a = 0; a < 2; ++a) {
+    expect_same(strips.acceleration[a], exact.acceleration[a]);
+    expect_same(strips.velocity[a], exact.velocity[a]);
+  }
+  for (int g = 0; g < 4; ++g) expect_same(strips.gradient[g], exact.gradient[g]);
+}
+
+}  // namespace
+}  // namespace trajan
