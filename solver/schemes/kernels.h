@@ -76,6 +76,7 @@ struct AffineKernels {
   Stage scatter_state = nullptr, scatter_momentum = nullptr;
   Stage gather = nullptr;  ///< the grid's velocity, and what particles carry of it
   Stage kick = nullptr;    ///< the grid's acceleration, and what it adds to that
+  bool strips = false;     ///< particles should lie in strips
 };
 
 /// What depends on the shape functions and the dimension.
@@ -83,8 +84,7 @@ struct TransferKernels {
   Layout layout;
   int stencil_size;        ///< numbers that a block needs for weights that are no products
   bool needs_deformation;  ///< particles must know their deformation gradient
-  bool staggered;          ///< stencils change in the middle of cells
-  bool strips;             ///< particles should lie in strips
+  bool staggered, strips;  ///< stencils change in the middle of cells; particles should lie in strips
   Stage locate;
   Stage locate_values;  ///< without slopes
   Stage scatter_state;  ///< mass, momentum and internal force

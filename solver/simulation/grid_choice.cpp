@@ -36,7 +36,8 @@ const TransferKernels& transfer_kernels(const Model& model, Margin margin) {
 }
 
 CellOrder cell_order(const Model& model, const TransferKernels& kernels) {
-  return {kernels.staggered, kernels.strips && !find_transfer(model.numerics.transfer)->affine};
+  return {kernels.staggered,
+          find_transfer(model.numerics.transfer)->affine ? kernels.affine.strips : kernels.strips};
 }
 
 Tiles make_tiles(const Model& model, const TransferKernels& kernels) {

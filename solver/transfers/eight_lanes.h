@@ -39,6 +39,15 @@ __attribute__((always_inline)) inline EightLanes lanes_of(std::int32_t bits) {
   constexpr EightLanes of_lane{1, 2, 4, 8, 16, 32, 64, 128};
   return (of_lane & bits) != 0;
 }
+__attribute__((always_inline)) inline bool any_bit(EightLanes v) {
+#ifdef __AVX2__
+  return !_mm256_testz_si256(reinterpret_cast<__m256i>(v), reinterpret_cast<__m256i>(v));
+#else
+  std::int32_t bits = 0;
+  for (int lane = 0; lane < 8; ++lane) bits |= v[lane];
+  return bits != 0;
+#endif
+}
 __attribute__((always_inline)) inline std::int32_t sum_of_lanes(EightLanes v) {
   v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 4, 5, 6, 7);
   v += __builtin_shufflevector(v, v, 2, 3, 2, 3, 6, 7, 6, 7);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/transfers/find_places.h"
-#include "solver/transfers/strips.h"
+#include "solver/transfers/find_strips.h"
 #include "solver/transfers/vectors.h"
 
 /// The shape functions where particles are.

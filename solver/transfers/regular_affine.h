@@ -101,7 +101,8 @@ constexpr AffineKernels regular_affine_kernels() {
           &by_place<Shape, D, &scatter_affine_state<Stencil, L, Velocity>, general.scatter_state>,
           &by_place<Shape, D, &scatter_affine_momentum<Stencil, L, Velocity>, general.scatter_momentum>,
           &by_place<Shape, D, &gather_affine<nodes, L, Slopes>, general.gather>,
-          &by_place<Shape, D, &kick_affine<nodes, L, Slopes>, general.kick>};
+          &by_place<Shape, D, &kick_affine<nodes, L, Slopes>, general.kick>,
+          has_strips<Stencil>};
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

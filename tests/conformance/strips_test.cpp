@@ -15,7 +15,7 @@ namespace {
 
 struct Particle {
   double at[2];  ///< in cells of the window, its own from 1 on
-  float velocity[2], force[4];
+  float velocity[2], force[4], affine[4];
   double volume;
 };
 
@@ -34,7 +34,8 @@ std::vector<Particle> random_particles(double share_of_others) {
     for (int i = 0; i < 6; ++i)
       for (int x = 1; x <= side; ++x) {
         if (i >= count[x - 1] || particles.size() >= block_size) continue;
-        Particle p{{x + anywhere(random), y + anywhere(random)}, {}, {}, 1 + anywhere(random)};
+        Particle p{{x + anywhere(random), y + anywhere(random)}, {}, {}, {}, 1 + anywhere(random)};
+        for (float& b : p.affine) b = static_cast<float>(0.25 * (anywhere(random) - 0.5));
         for (float& v : p.velocity) v = static_cast<float>(anywhere(random) - 0.5);
         for (float& f : p.force) f = static_cast<float>(anywhere(random) - 0.5);
         particles.push_back(p);
@@ -47,13 +48,13 @@ std::vector<Particle> random_particles(double share_of_others) {
 struct Exchanged {
   bool by_strips;
   int full_strips;
-  std::vector<double> sums, acceleration[2], velocity[2], gradient[4];
+  std::vector<double> sums, acceleration[2], velocity[2], gradient[4], affine[4];
 };
 
 struct How {
   const char* shape_functions;
   Margin margin;
-  bool equal_masses;
+  bool equal_masses, affine = false;
 };
 
 /// In doubles or floats.
@@ -61,9 +62,10 @@ template <class Number>
 class Exchange {
  public:
   Exchange(const std::vector<Particle>& particles, const How& how)
-      : kernels_(*grid_kernels().transfer(how.shape_functions, Dimension::plane_strain, how.margin)),
+      : how_(how),
+        kernels_(*grid_kernels().transfer(how.shape_functions, Dimension::plane_strain, how.margin)),
         sums_(static_cast<std::size_t>(quantities(sum_vectors, 2) * kernels_.layout.window_nodes)) {
-    scratch_.prepare(static_cast<std::size_t>(quantities(node_vectors, 2) * kernels_.layout.window_nodes), 0, 0);
+    scratch_.prepare(static_cast<std::size_t>(quantities(node_vectors, 2) * kernels_.layout.window_nodes), 0, 2);
     std::mt19937 random(5);
     std::uniform_real_distribution<float> anywhere(-1, 1);
     for (Number& node : scratch_.window) node = anywhere(random);
@@ -78,8 +80,14 @@ class Exchange {
       block_.arrays[index(Attribute::position_x, a)] = position_[a].data();
       put(velocity_[a].data(), index(Attribute::velocity_x, a));
       block_.lowest[a] = 1, block_.highest[a] = side;
+      // Far from the faces of the domain.
+      sweep_.origin[a] = -100, block_.window_first[a] = 100;
       sweep_.faces[a] = 1000;
       body_.half_size[a] = 0.25;
+    }
+    for (int f = 0; f < 4; ++f) {
+      for (const Particle& p : particles) affine_[f].push_back(p.affine[f]);
+      put(affine_[f].data(), index(Attribute::affine_xx, f / 2 * 3 + f % 2));
     }
     auto* force = const_cast<BlockArray<Number>*>(scratch_.force_on_nodes());
     for (int f = 0; f < 4; ++f)
@@ -89,11 +97,16 @@ class Exchange {
   Exchanged all() {
     kernels_.locate(block_);
     EXPECT_FALSE(scratch_.trouble.left_window);
-    kernels_.scatter_state(block_);
-    kernels_.scatter_momentum(block_);
-    kernels_.gather_acceleration(block_);
-    kernels_.gather_motion(block_);
-    Exchanged all{scratch_.by_strips, scratch_.full_strips.size, {sums_.begin(), sums_.end()}, {}, {}, {}};
+    const AffineKernels& affine = kernels_.affine;
+    if (how_.affine)
+      for (Stage stage : {affine.find_levers, affine.scatter_state, affine.scatter_momentum, affine.kick,
+                          affine.gather, kernels_.gather_gradient})
+        stage(block_);
+    else
+      for (Stage stage : {kernels_.scatter_state, kernels_.scatter_momentum, kernels_.gather_acceleration,
+                          kernels_.gather_motion})
+        stage(block_);
+    Exchanged all{scratch_.by_strips, scratch_.full_strips.size, {sums_.begin(), sums_.end()}, {}, {}, {}, {}};
     const auto copy = [&](const BlockArray<Number>& from) {
       return std::vector<double>(from.values, from.values + block_.count);
     };
@@ -101,7 +114,10 @@ class Exchange {
       all.acceleration[a] = copy(scratch_.acceleration[a]);
       all.velocity[a] = copy(scratch_.velocity[a]);
     }
-    for (int g = 0; g < 4; ++g) all.gradient[g] = copy(scratch_.gradient_of_grid()[g]);
+    for (int g = 0; g < 4; ++g) {
+      all.gradient[g] = copy(scratch_.gradient_of_grid()[g]);
+      all.affine[g].assign(affine_[g].begin(), affine_[g].end());
+    }
     return all;
   }
 
@@ -115,13 +131,14 @@ class Exchange {
   void put(float* values, std::size_t at) { block_.floats[at] = values; }
   void put(double* values, std::size_t at) { block_.arrays[at] = values; }
 
+  How how_;
   const TransferKernels& kernels_;
   TransferScratch<Number> scratch_;
   SweepConstants sweep_;
   BodyConstants body_;
   AlignedDoubles sums_;
   std::vector<double> position_[2], volume_;
-  std::vector<Number> velocity_[2];
+  std::vector<Number> velocity_[2], affine_[4];
   Block block_;
 };
 
@@ -133,6 +150,8 @@ INSTANTIATE_TEST_SUITE_P(
                                      How{"linear", Margin::none, false}, How{"gimp", Margin::one_cell, true},
                                      How{"quadratic_bspline", Margin::none, true},
                                      How{"quadratic_bspline", Margin::one_cell, false},
+                                     How{"quadratic_bspline", Margin::one_cell, true, true},
+                                     How{"cubic_bspline", Margin::none, true, true},
                                      How{"cubic_bspline", Margin::none, true},
                                      How{"cubic_bspline", Margin::one_cell, true})));
 
@@ -160,7 +179,10 @@ TEST_P(Strips, GiveAndGetWhatTheirParticlesDoInDoubles) {
     expect_same(strips.acceleration[a], exact.acceleration[a]);
     expect_same(strips.velocity[a], exact.velocity[a]);
   }
-  for (int g = 0; g < 4; ++g) expect_same(strips.gradient[g], exact.gradient[g]);
+  for (int g = 0; g < 4; ++g) {
+    expect_same(strips.gradient[g], exact.gradient[g]);
+    expect_same(strips.affine[g], exact.affine[g]);
+  }
 }
 
 }  // namespace

@@ -138,6 +138,7 @@ TEST(EightLanes, ArePutInAnotherOrderReadInPartAndCounted) {
       count += set;
     }
     EXPECT_EQ(sum_of_lanes(lanes), -count) << bits;
+    EXPECT_EQ(any_bit(lanes & 4), bits != 0) << bits;
   }
 }
 
