@@ -96,7 +96,7 @@ __attribute__((no_sanitize("float-cast-overflow"))) inline bool find_places_in_f
     axes[a] = {in, scale, -in.origin * scale - in.first * Fixed::units_of_cell, Fixed::of_cells(in.lowest).units,
                Fixed::of_cells(in.highest + 1).units - 1};
   }
-  std::int32_t out = 0;
+  std::uint32_t out = 0;
 #pragma GCC ivdep
   for (int i = 0; i < count; ++i) {
     std::int32_t cell = 0;
@@ -107,7 +107,7 @@ __attribute__((no_sanitize("float-cast-overflow"))) inline bool find_places_in_f
       const std::int32_t not_below = at > axis.lowest ? at : axis.lowest;
       const Fixed inside{not_below < axis.highest ? not_below : axis.highest};
       // Rounding may put a place on the face to the next cell that sorting has found to be just before it.
-      out |= (at - inside.units + 1) & ~3;
+      out |= (static_cast<std::uint32_t>(at) - static_cast<std::uint32_t>(inside.units) + 1) & ~3U;
       const Fixed base = Shape::first_node(inside);
       axis.in.place[i] = (inside - base).cells();
       cell += base.cell() * L.window_stride(a);

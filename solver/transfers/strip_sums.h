@@ -71,6 +71,7 @@ struct GivenForce {
   NodesOfStrips<Nodes, L> sums{};
   Cells along_x[2]{}, along_y[2]{};
 };
+
 /// Of a velocity that is `at_first` at a particle's first node and grows by `factor` times moments from one node
 /// to the next: momentum.
 template <int Nodes, Layout L, class Mass>
