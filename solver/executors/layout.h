@@ -5,8 +5,7 @@
 /// The background grid is cut into tiles of 64 cells: 64, 8 x 8 or 4 x 4 x 4. Only tiles near material
 /// exist. A tile owns the nodes at the lower corners of its cells. What its particles need of the grid, and
 /// what they give to it, is its window: the nodes that they can reach from its own cells and, if particles
-/// drift, from a margin of one cell around them. Linear functions reach the nodes of a particle's cell, wide
-/// ones one node more on each side.
+/// drift, from a margin of one cell around them.
 ///
 ///     cells of a window along an axis: 1 .. side, the tile's own, and in the margin 0 and side + 1
 ///     nodes of a window along an axis: 0 .. window_side - 1, of which the tile owns below .. below + side - 1
@@ -20,9 +19,24 @@ inline constexpr int most_neighbours = 27;  ///< the tile itself included
 /// and step with linear functions, in floats 29.5 -> 21.5.
 enum class Margin : unsigned char { none, one_cell };
 
+/// Which nodes particles reach, and by that which cells they belong to. All particles of a cell reach the same.
+enum class Reach : unsigned char {
+  cell,       ///< those of their cell
+  staggered,  ///< the nearest one and one more on each side: cells lie half a cell above those of the grid
+  wide        ///< those of their cell and one more on each side
+};
+
+/// Where cells begin, from the node that they are counted by. Particles are often laid out in the middle between
+/// two nodes, up to rounding: staggered cells begin just before it, so that a tile has all of them or none.
+constexpr double begin_of_cells(Reach reach) { return reach == Reach::staggered ? 0.5 - 0x1p-40 : 0; }
+
+/// Nodes that particles reach beyond two, the one that their cell is counted by and the next one, along an axis.
+constexpr int more_below(Reach reach) { return reach == Reach::wide ? 1 : 0; }
+constexpr int more_above(Reach reach) { return reach == Reach::cell ? 0 : 1; }
+
 struct Layout {
   int dimensions;
-  bool wide;
+  Reach reach;
   Margin margin;
   int side;         ///< cells of a tile along an axis
   int tile_bits;    ///< its binary logarithm
@@ -34,16 +48,16 @@ struct Layout {
   int window_nodes;
   int neighbours;  ///< 3 to the power of dimensions
 
-  constexpr Layout(int axes, bool is_wide, Margin around = Margin::one_cell)
+  constexpr Layout(int axes, Reach of_particles, Margin around = Margin::one_cell)
       : dimensions(axes),
-        wide(is_wide),
+        reach(of_particles),
         margin(around),
         side(axes == 1   ? 64
              : axes == 2 ? 8
                          : 4),
         tile_bits(6 / axes),
-        below((is_wide ? 1 : 0) + (around == Margin::one_cell ? 1 : 0)),
-        above(below + 1),
+        below(more_below(of_particles) + (around == Margin::one_cell ? 1 : 0)),
+        above(1 + more_above(of_particles) + (around == Margin::one_cell ? 1 : 0)),
         window_side(side + below + above),
         window_nodes((power(window_side, axes) + 3 + 7) / 8 * 8),
         neighbours(power(3, axes)) {}

@@ -16,12 +16,11 @@ auto rank_with_field(const auto& tile) { return std::tuple_cat(rank(tile.at), st
 bool before(const TileIndex& a, const TileIndex& b) { return rank(a) < rank(b); }
 
 CellRange Tiles::nodes_reached(const CellRange& cells) const {
-  // Cell c of the window has the tile's nodes c - 1 and c; wide functions reach one node further.
-  const int reach = layout_.wide ? 1 : 0;
+  // Cell c of the window has the tile's nodes c - 1 and c.
   CellRange nodes;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(layout_.dimensions); ++axis) {
-    nodes.lowest[axis] = cells.lowest[axis] - 1 - reach;
-    nodes.highest[axis] = cells.highest[axis] + reach;
+    nodes.lowest[axis] = cells.lowest[axis] - 1 - more_below(layout_.reach);
+    nodes.highest[axis] = cells.highest[axis] + more_above(layout_.reach);
   }
   return nodes;
 }

@@ -41,7 +41,7 @@ void Discretization::find_stencils(const Model& model, Executor& executor) {
   volumes_.resize(particles);
   bodies_.resize(particles);
   if (axisymmetric_) inverse_radii_.resize(particles);
-  const Layout window(axes_, tiles_.layout().wide);  // whatever margin that of explicit steps has
+  const Layout window(axes_, tiles_.layout().reach);  // whatever margin that of explicit steps has
   executor.visit([&](Block& block, std::size_t b, std::size_t tile) {
     kernel(block, stencils[b]);
     // From nodes of the window to nodes of all tiles.

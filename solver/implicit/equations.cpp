@@ -10,7 +10,8 @@ namespace trajan {
 namespace {
 
 bool is_wide(const Model& model) {
-  return kernels().doubles.transfer(model.numerics.shape_functions, model.dimension, Margin::none)->layout.wide;
+  return kernels().doubles.transfer(model.numerics.shape_functions, model.dimension, Margin::none)->layout.reach !=
+         Reach::cell;
 }
 
 }  // namespace

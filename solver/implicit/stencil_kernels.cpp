@@ -71,10 +71,10 @@ constexpr bool by_corners = requires {
 template <class Shape, int D>
 constexpr StencilKernel kernel(bool to_faces) {
   if constexpr (by_corners<Shape>) {
-    constexpr Layout layout{D, true};
+    constexpr Layout layout{D, Reach::wide};
     return &append<CornerStencil<layout>, layout, &locate_corners<Shape, layout>>;
   } else {
-    constexpr Layout layout{D, Shape::wide};
+    constexpr Layout layout{D, Shape::reach};
     using Stencil = ProductStencil<Shape::nodes, layout, ShapeSlopes>;
     if constexpr (Shape::folds && polynomial_degree(Shape::name) > 1)
       if (to_faces) return &append<Stencil, layout, &locate_to_faces<Shape, layout>>;

@@ -84,7 +84,7 @@ struct TransferKernels {
   Layout layout;
   int stencil_size;        ///< numbers that a block needs for weights that are no products
   bool needs_deformation;  ///< particles must know their deformation gradient
-  bool staggered, strips;  ///< stencils change in the middle of cells; particles should lie in strips
+  bool strips;             ///< particles should lie in strips
   Stage locate;
   Stage locate_values;  ///< without slopes
   Stage scatter_state;  ///< mass, momentum and internal force

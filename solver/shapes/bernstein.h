@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/executors/layout.h"
 #include "solver/shapes/whole_part.h"
 
 namespace trajan {
@@ -13,7 +14,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 struct Bernstein {
   static constexpr std::string_view name = "bernstein";
   static constexpr int nodes = 3;
-  static constexpr bool wide = true;
+  static constexpr Reach reach = Reach::wide;
   static constexpr bool folds = false;
   static constexpr bool needs_deformation = false;
   /// An element's first node is even. So are those of tiles, and windows with a margin begin two nodes before.

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/executors/layout.h"
 #include "solver/shapes/whole_part.h"
 
 namespace trajan {
@@ -15,7 +16,7 @@ struct Cpdi {
   /// Weights are no products along the axes, but means over the corners of the particle's domain.
   static constexpr bool corners = true;
   static constexpr int nodes = 4;
-  static constexpr bool wide = true;
+  static constexpr Reach reach = Reach::wide;
   static constexpr bool needs_deformation = true;
 
   template <class Place>

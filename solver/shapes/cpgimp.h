@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solver/executors/layout.h"
 #include "solver/shapes/particle_domain.h"
 #include "solver/shapes/whole_part.h"
 
@@ -13,7 +14,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 struct Cpgimp {
   static constexpr std::string_view name = "cpgimp";
   static constexpr int nodes = 4;
-  static constexpr bool wide = true;
+  static constexpr Reach reach = Reach::wide;
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = true;
 

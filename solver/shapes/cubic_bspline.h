@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/executors/layout.h"
 #include "solver/shapes/whole_part.h"
 
 namespace trajan {
@@ -12,7 +13,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 struct CubicBspline {
   static constexpr std::string_view name = "cubic_bspline";
   static constexpr int nodes = 4;
-  static constexpr bool wide = true;
+  static constexpr Reach reach = Reach::wide;
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
   /// sum w_I (x_I - x_p)^2 away from faces, in squared cells (Jiang et al. 2015).

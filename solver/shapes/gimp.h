@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "solver/executors/layout.h"
 #include "solver/shapes/particle_domain.h"
 #include "solver/shapes/whole_part.h"
 
@@ -12,13 +13,13 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 struct Gimp {
   static constexpr std::string_view name = "gimp";
   static constexpr int nodes = 3;
-  static constexpr bool wide = true;
+  static constexpr Reach reach = Reach::staggered;
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
 
   template <class Place>
   static constexpr Place first_node(Place at) {
-    return whole_part(at - 0.5);
+    return whole_part(at - begin_of_cells(reach));
   }
   /// p is between 1/2 and 3/2: only the middle node may be within the domain.
   static void weigh(Real p, Real half_size, Real (&weight)[3], Real (&slope)[3]) {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/executors/layout.h"
 #include "solver/shapes/whole_part.h"
 
 namespace trajan {
@@ -12,7 +13,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 struct Linear {
   static constexpr std::string_view name = "linear";
   static constexpr int nodes = 2;
-  static constexpr bool wide = false;
+  static constexpr Reach reach = Reach::cell;
   static constexpr bool folds = false;
   static constexpr bool needs_deformation = false;
 

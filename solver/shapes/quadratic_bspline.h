@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/executors/instruction_set.h"
+#include "solver/executors/layout.h"
 #include "solver/shapes/whole_part.h"
 
 namespace trajan {
@@ -12,7 +13,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 struct QuadraticBspline {
   static constexpr std::string_view name = "quadratic_bspline";
   static constexpr int nodes = 3;
-  static constexpr bool wide = true;
+  static constexpr Reach reach = Reach::staggered;
   static constexpr bool folds = true;
   static constexpr bool needs_deformation = false;
   /// sum w_I (x_I - x_p)^2 away from faces, in squared cells (Jiang et al. 2015).
@@ -20,7 +21,7 @@ struct QuadraticBspline {
 
   template <class Place>
   static constexpr Place first_node(Place at) {
-    return whole_part(at - 0.5);
+    return whole_part(at - begin_of_cells(reach));
   }
   /// p is between 1/2 and 3/2.
   static void weigh(Real p, Real, Real (&weight)[3], Real (&slope)[3]) {

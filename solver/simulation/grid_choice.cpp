@@ -1,5 +1,6 @@
 #include "solver/simulation/grid_choice.h"
 
+#include "solver/model/spline_degree.h"
 #include "solver/transfers/transfer.h"
 
 namespace trajan {
@@ -24,7 +25,9 @@ Margin first_margin(const Model& model, const Conditions& conditions, const Load
   // functions are means.
   const bool beyond_cells = (conditions.on_surfaces() || loads.on_surfaces()) &&
                             point_functions(model.numerics.shape_functions).averaged;
-  const bool any = beyond_cells || model.contacts.fields > 1 || period_of(model.grid).any();
+  // Stencils that are moved to lie within the domain begin at another node than their cells' ones.
+  const bool moved = splines_keep_degree(model);
+  const bool any = beyond_cells || moved || model.contacts.fields > 1 || period_of(model.grid).any();
   return any ? Margin::one_cell : Margin::none;
 }
 
@@ -36,8 +39,8 @@ const TransferKernels& transfer_kernels(const Model& model, Margin margin) {
 }
 
 CellOrder cell_order(const Model& model, const TransferKernels& kernels) {
-  return {kernels.staggered,
-          find_transfer(model.numerics.transfer)->affine ? kernels.affine.strips : kernels.strips};
+  const bool strips = find_transfer(model.numerics.transfer)->affine ? kernels.affine.strips : kernels.strips;
+  return strips ? CellOrder::strips : CellOrder::cell_by_cell;
 }
 
 Tiles make_tiles(const Model& model, const TransferKernels& kernels) {

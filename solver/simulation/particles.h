@@ -71,11 +71,10 @@ double lightest_particle(const std::vector<BodyParticles>& bodies);
 /// Positions at time 0 of the particles of these numbers.
 std::vector<Vector> reference_positions(const Model& model, const std::vector<std::int64_t>& numbers);
 
-/// Within a tile particles are ordered by the nodes that their stencils begin with.
-struct CellOrder {
-  bool staggered = false;  ///< those of cells that are shifted by half a cell
-  /// One of each cell of a row, then a second one of each, and so on. Otherwise cell by cell.
-  bool strips = false;
+/// How particles lie within a tile.
+enum class CellOrder : unsigned char {
+  cell_by_cell,
+  strips  ///< row by row: one of each cell, then a second one of each, and so on
 };
 
 /// Puts particles in the order of tiles and within them. Particles of one cell stay in order, however many threads

@@ -28,55 +28,36 @@ void include(CellRange& range, const CellRange& other) {
 /// Where positions are along one axis.
 struct AxisFinder {
   struct Found {
-    std::int32_t tile, cell, bin;  ///< the cell is one of the window
+    std::int32_t tile, cell;  ///< the cell is one of the tile's
   };
-  double origin, inverse_cell, period, shift;
-  std::int32_t side, tile_bits;
-  std::int32_t late;  ///< added to the bins of what is in the later part of its cell
-  std::int32_t bins;  ///< of a tile
+  double origin, inverse_cell, begin, period;
+  std::int32_t tile_bits;
 
   Found operator()(double position) const {
-    double x = (position - origin) * inverse_cell;
+    double x = (position - origin) * inverse_cell - begin;
     if (period > 0) {
       x -= period * std::floor(x / period);
       x = x >= period ? 0 : x;  // rounding
     }
-    const double whole = std::floor(x);
-    const auto cell = static_cast<std::int32_t>(whole);
-    const std::int32_t in_tile = cell & (side - 1);
-    return {cell >> tile_bits, in_tile + 1, in_tile + (x - whole >= 1 - shift ? late : 0)};
+    const auto cell = static_cast<std::int32_t>(std::floor(x));
+    return {cell >> tile_bits, cell & ((1 << tile_bits) - 1)};
   }
 };
 
 /// Where positions are among the tiles.
 class PlaceFinder {
  public:
-  PlaceFinder(const Grid& grid, const Tiles& tiles, CellOrder order)
-      : axes_(static_cast<std::size_t>(tiles.layout().dimensions)) {
+  PlaceFinder(const Grid& grid, const Tiles& tiles) : axes_(static_cast<std::size_t>(tiles.layout().dimensions)) {
     const double origin[] = {grid.origin.x, grid.origin.y, grid.origin.z};
-    const std::int32_t side = tiles.layout().side;
-    for (std::size_t axis = 0; axis < axes_; ++axis) {
-      // Stencils that change in the middle of cells begin at one more node along each axis. In strips those of
-      // the later halves follow all others: each are in as many cells as a strip has lanes.
-      const std::int32_t late = order.strips && axis == 0 ? side : 1;
+    for (std::size_t axis = 0; axis < axes_; ++axis)
       along_[axis] = {.origin = origin[axis],
                       .inverse_cell = 1 / grid.cell,
+                      .begin = begin_of_cells(tiles.layout().reach),
                       .period = static_cast<double>(tiles.period(static_cast<int>(axis))),
-                      .shift = order.staggered ? 0.5 : 0,
-                      .side = side,
-                      .tile_bits = tiles.layout().tile_bits,
-                      .late = late,
-                      .bins = side + (order.staggered ? late : 0)};
-    }
+                      .tile_bits = tiles.layout().tile_bits};
   }
 
   std::size_t axes() const { return axes_; }
-  /// In the order of a tile.
-  std::int32_t bins() const {
-    std::int32_t bins = 1;
-    for (std::size_t axis = 0; axis < axes_; ++axis) bins *= along_[axis].bins;
-    return bins;
-  }
   const AxisFinder& along(std::size_t axis) const { return along_[axis]; }
 
  private:
@@ -144,7 +125,6 @@ class FoundParticles {
     std::fill_n(bin, count, 0);
     for (std::size_t axis = axes_; axis-- > 0;) {
       const AxisFinder along = find.along(axis);
-      const std::int32_t bins_along = along.bins;
       const double* x = body.component(Attribute::position_x, static_cast<int>(axis)).data() + begin;
       std::int32_t *tile = tile_[axis], *cell = cell_[axis];
 #pragma GCC ivdep
@@ -152,7 +132,7 @@ class FoundParticles {
         const AxisFinder::Found found = along(x[i]);
         tile[i] = found.tile;
         cell[i] = found.cell;
-        bin[i] = bin[i] * bins_along + found.bin;
+        bin[i] = (bin[i] << along.tile_bits) + found.cell;
       }
     }
   }
@@ -166,29 +146,28 @@ class FoundParticles {
     for (std::size_t axis = 0; axis < axes_; ++axis) {
       const auto [lowest, highest] = std::minmax_element(cell_[axis] + begin, cell_[axis] + end);
       place.tile[axis] = tile_[axis][begin];
-      place.cells.lowest[axis] = *lowest;
-      place.cells.highest[axis] = *highest;
+      place.cells.lowest[axis] = 1 + *lowest;
+      place.cells.highest[axis] = 1 + *highest;
     }
     return end;
   }
 
-  std::int32_t bin[most];
+  std::int32_t bin[most];  ///< which of its tile's cells, x fastest
 
  private:
   std::size_t axes_;
   std::int32_t tile_[3][most], cell_[3][most];
 };
 
-/// The bin of every particle of a body: the bins of a tile are one after the other, and so are the tiles.
+/// The bin of every particle of a body: a tile has as many as cells, one after the other, and so are the tiles.
 struct Places {
-  std::size_t bins_of_tile;
+  static constexpr std::uint32_t bins_of_tile = tile_nodes;
   std::vector<FoundTiles::Place> tiles;  ///< in order
   std::vector<std::uint32_t> bin;        ///< by slot
 
-  Places(const Grid& grid, const Tiles& grid_tiles, CellOrder order, const BodyParticles& body, ThreadPool& pool)
+  Places(const Grid& grid, const Tiles& grid_tiles, const BodyParticles& body, ThreadPool& pool)
       : bin(body.size()) {
-    const PlaceFinder find(grid, grid_tiles, order);
-    const auto bins = static_cast<std::uint32_t>(find.bins());
+    const PlaceFinder find(grid, grid_tiles);
     std::vector<FoundTiles> found(static_cast<std::size_t>(pool.size()));
     for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t begin, std::size_t end) {
       FoundTiles mine;
@@ -199,7 +178,8 @@ struct Places {
         for (std::size_t i = 0; i < count;) {
           const std::size_t end_of_tile = particles.end_of_tile(i, count, place);
           const std::uint32_t tile = mine.add(place);
-          for (; i < end_of_tile; ++i) bin[begin + i] = tile * bins + static_cast<std::uint32_t>(particles.bin[i]);
+          for (; i < end_of_tile; ++i)
+            bin[begin + i] = tile * bins_of_tile + static_cast<std::uint32_t>(particles.bin[i]);
         }
       }
       found[thread] = std::move(mine);
@@ -210,9 +190,8 @@ struct Places {
     for_each_share(pool, bin.size(), [&](std::size_t thread, std::size_t begin, std::size_t end) {
       const std::vector<std::uint32_t> rank = found[thread].ranks(all);
       for (std::size_t slot = begin; slot < end; ++slot)
-        bin[slot] = rank[bin[slot] / bins] * bins + bin[slot] % bins;
+        bin[slot] = rank[bin[slot] / bins_of_tile] * bins_of_tile + bin[slot] % bins_of_tile;
     });
-    bins_of_tile = bins;
     tiles = all.places();
   }
 };
@@ -281,10 +260,11 @@ void order_by_strips(std::vector<std::uint32_t>& slot_of, const std::vector<std:
 std::vector<std::uint32_t> find_order(const Grid& grid, const Tiles& tiles, CellOrder order,
                                       const BodyParticles& body, std::uint32_t index, std::vector<TileRun>& runs,
                                       ThreadPool& pool) {
-  const Places places(grid, tiles, order, body, pool);
+  const Places places(grid, tiles, body, pool);
   std::vector<std::uint32_t> begin(places.tiles.size() * places.bins_of_tile + 1);
   std::vector<std::uint32_t> slot_of = order_of(places.bin, begin, pool);
-  if (order.strips) order_by_strips(slot_of, begin, static_cast<std::size_t>(tiles.layout().side), pool);
+  if (order == CellOrder::strips)
+    order_by_strips(slot_of, begin, static_cast<std::size_t>(tiles.layout().side), pool);
   for (std::size_t t = 0; t < places.tiles.size(); ++t)
     runs.push_back({places.tiles[t].tile, body.field, index, begin[t * places.bins_of_tile],
                     begin[(t + 1) * places.bins_of_tile], places.tiles[t].cells});
@@ -321,7 +301,7 @@ void add_margins(std::vector<OccupiedTile>& occupied, const Layout& layout) {
 }  // namespace
 
 std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles) {
-  const PlaceFinder find(model.grid, tiles, {});
+  const PlaceFinder find(model.grid, tiles);
   std::map<std::uint32_t, FoundTiles> by_field;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     FoundTiles& found = by_field[model.contacts.field_of.empty() ? 0 : model.contacts.field_of[b]];
@@ -331,7 +311,7 @@ std::vector<OccupiedTile> occupied_tiles(const Model& model, const Tiles& tiles)
       for (std::size_t axis = 0; axis < find.axes(); ++axis) {
         const AxisFinder::Found along = find.along(axis)(position[axis]);
         place.tile[axis] = along.tile;
-        place.cells.lowest[axis] = place.cells.highest[axis] = along.cell;
+        place.cells.lowest[axis] = place.cells.highest[axis] = 1 + along.cell;
       }
       found.add(place);
     });

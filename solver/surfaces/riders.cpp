@@ -98,11 +98,12 @@ std::uint32_t Riders::tile_inside(const Tiles& tiles, const std::vector<BodyPart
                                   std::size_t p) const {
   const Tile& tile = tiles.tiles()[tiles_[p]];
   TileIndex at = tile.at;
+  const double begin = begin_of_cells(tiles.layout().reach);
   for (int axis = 0; axis < axes_; ++axis) {
     const double position = bodies[carriers_[p].body].component(Attribute::position_x, axis)[carriers_[p].index];
     const double cell = (position - component(model_.grid.origin, axis)) / model_.grid.cell;
     at[static_cast<std::size_t>(axis)] =
-        static_cast<std::int32_t>(std::floor((cell + component(inward_[p], axis)) / tiles.layout().side));
+        static_cast<std::int32_t>(std::floor((cell + component(inward_[p], axis) - begin) / tiles.layout().side));
   }
   const std::int32_t inside = tiles.find(at, tile.field);
   return inside >= 0 && has_particles(tiles, inside) ? static_cast<std::uint32_t>(inside) : tiles_[p];
@@ -159,20 +160,20 @@ Riders::Stencil Riders::stencil(const Tiles& tiles, const std::vector<BodyPartic
   for (int axis = 0; axis < axes_; ++axis) {
     const double origin = component(model_.grid.origin, axis);
     const double at = body.component(Attribute::position_x, axis)[carriers_[p].index];
-    // In cells from the window's first node.
+    // In cells from the window's first node. Nodes exist around the cells in which the tile's particles may be.
+    const double to_nodes = layout.below - 1 + begin_of_cells(layout.reach);
+    const double lowest = tile.cells.lowest[axis] + to_nodes,
+                 highest = tile.cells.highest[axis] + to_nodes + 1 - 1e-9;
     double first = layout.side * static_cast<double>(tile.at[axis]) - layout.below;
     double carrier = (at - origin) / model_.grid.cell - first;
     const int period = tiles.period(axis);
     if (period > 0) {
-      const double passed = period * std::floor((carrier + 1 - layout.below - tile.cells.lowest[axis]) / period);
+      const double passed = period * std::floor((carrier - lowest) / period);
       first += passed;
       carrier -= passed;
     }
     const double point =
         (state_[stride_ * p + static_cast<std::size_t>(axis)] - origin) / model_.grid.cell - first;
-    // Nodes exist around the cells in which the tile's particles may be.
-    const double lowest = tile.cells.lowest[axis] + layout.below - 1;
-    const double highest = tile.cells.highest[axis] + layout.below - 1e-9;
     const double reach = of == Of::force && functions_.averaged ? body.constants.half_size[axis] : 0;
     const double inner = carrier + std::clamp(point - carrier, -reach, reach) + component(inward_[p], axis);
     int node = static_cast<int>(functions_.first_node(std::max(lowest, std::min(inner, highest))));

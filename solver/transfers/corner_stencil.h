@@ -138,7 +138,8 @@ inline constexpr TransferKernels corner_kernels_of = [] {
 template <class Shape>
 requires(Shape::corners) struct TransferChoice<Shape> {
   static const TransferKernels* of(Dimension dimension, Margin) {
-    return with_layout<true, Margin::one_cell>(dimension, []<Layout L>() { return &corner_kernels_of<Shape, L>; });
+    return with_layout<Reach::wide, Margin::one_cell>(dimension,
+                                                      []<Layout L>() { return &corner_kernels_of<Shape, L>; });
   }
 };
 

@@ -17,7 +17,7 @@ struct AxisPlaces {
   const double* x;
   Real* place;
   double origin, first;    ///< of what counts places in cells
-  double lowest, highest;  ///< whole cells in which particles may be
+  double lowest, highest;  ///< where the first and the last cell begin in which particles may be
   double period, divisor;
 };
 
@@ -28,8 +28,8 @@ __attribute__((always_inline)) inline AxisPlaces axis_places(const Block& block,
           .place = scratch_of(block).place[axis].data(),
           .origin = block.sweep->origin[axis],
           .first = block.window_first[axis] - to_nodes,
-          .lowest = block.lowest[axis] + to_nodes,
-          .highest = block.highest[axis] + to_nodes,
+          .lowest = block.lowest[axis] + to_nodes + begin_of_cells(L.reach),
+          .highest = block.highest[axis] + to_nodes + begin_of_cells(L.reach),
           .period = period,
           .divisor = period > 0 ? period : 1};
 }

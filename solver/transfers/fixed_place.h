@@ -15,7 +15,10 @@ struct FixedPlace {
   std::int32_t units;
 
   static constexpr double units_of_cell = std::int64_t{1} << bits;
-  static constexpr FixedPlace of_cells(double cells) { return {static_cast<std::int32_t>(cells * units_of_cell)}; }
+  /// To the nearest unit.
+  static constexpr FixedPlace of_cells(double cells) {
+    return {static_cast<std::int32_t>(cells * units_of_cell + (cells < 0 ? -0.5 : 0.5))};
+  }
 
   friend constexpr FixedPlace operator-(FixedPlace a, FixedPlace b) { return {a.units - b.units}; }
   /// \name What shape functions do with places, to find a first node

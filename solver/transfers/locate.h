@@ -8,18 +8,21 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-/// Whether the stencils of particles in a block may reach beyond a face of the domain.
+/// Whether the stencils of particles in a block reach beyond a face of the domain.
+template <Reach reach>
 inline bool reaches_a_face(const Block& block, int axis) {
   const double lower = -block.window_first[axis], upper = block.sweep->faces[axis] + lower;
   const bool faces = block.sweep->period[axis] == 0;
-  return faces && (block.lowest[axis] - 1 <= lower || block.highest[axis] + 2 >= upper);
+  return faces && (block.lowest[axis] - more_below(reach) < lower ||
+                   block.highest[axis] + 1 + more_above(reach) > upper);
 }
 
 /// Shape functions of nodes beyond a face of the domain do not exist: what they would carry is the linear
 /// extrapolation of the two nodes before them. This makes the boundary functions of Steffen, Kirby and Berzins
 /// (2008), interpolating on the face, and keeps the partition of unity and linear fields.
-template <int Nodes, bool with_slopes>
+template <class Shape, bool with_slopes>
 inline void fold(Block& block, int axis) {
+  constexpr int Nodes = Shape::nodes;
   RealScratch& s = scratch_of(block);
   const double lower_face = -block.window_first[axis], upper_face = block.sweep->faces[axis] + lower_face;
   const auto fold_row = [&](RealArray * w, int i, double base) __attribute__((always_inline)) {
@@ -37,13 +40,12 @@ inline void fold(Block& block, int axis) {
     }
   };
   const double* x = block.component(Attribute::position_x, axis);
-  const double first = block.window_first[axis];
+  const double first = block.window_first[axis], lowest = block.lowest[axis] + begin_of_cells(Shape::reach),
+               end = block.highest[axis] + 1 + begin_of_cells(Shape::reach);
   for (int i = 0; i < block.count; ++i) {
     // The stencil's first node, counted from the window's first cell.
     const double at = (x[i] - block.sweep->origin[axis]) * block.sweep->inverse_cell - first;
-    const double clamped = at < block.lowest[axis]        ? block.lowest[axis]
-                           : at > block.highest[axis] + 1 ? block.highest[axis] + 1
-                                                          : at;
+    const double clamped = at < lowest ? lowest : at > end ? end : at;
     const double base = __builtin_round(clamped - s.place[axis][i]);
     fold_row(s.weight[axis], i, base);
     if (with_slopes) fold_row(s.slope[axis], i, base);
@@ -81,7 +83,7 @@ inline void locate(Block& block) {
     // Two nodes' weights follow from the place alone.
     if constexpr (Shape::nodes > 2) weigh_along<Shape, with_slopes>(block, axis);
     if constexpr (Shape::folds)
-      if (reaches_a_face(block, axis)) fold<Shape::nodes, with_slopes>(block, axis);
+      if (reaches_a_face<L.reach>(block, axis)) fold<Shape, with_slopes>(block, axis);
   }
 }
 

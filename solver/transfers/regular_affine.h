@@ -16,7 +16,7 @@ concept Regular = requires {
 template <class Shape, int D>
 inline bool is_regular(const Block& block) {
   for (int axis = 0; axis < D; ++axis)
-    if (reaches_a_face(block, axis)) return false;
+    if (reaches_a_face<Shape::reach>(block, axis)) return false;
   return true;
 }
 

@@ -46,7 +46,6 @@ template <class Shape, Layout L, class Stencil = ProductStencil<Shape::nodes, L,
 inline constexpr TransferKernels transfer_kernels{L,
                                                   0,
                                                   Shape::needs_deformation,
-                                                  Shape::first_node(3.25) != Shape::first_node(3.75),
                                                   has_strips<Stencil>,
                                                   Locate,
                                                   LocateValues,
@@ -69,15 +68,15 @@ inline constexpr TransferKernels transfer_kernels{L,
                                                   &reduce_remainder<L>};
 
 /// Returns of.operator()<Layout>().
-template <bool wide, Margin margin, class Of>
+template <Reach reach, Margin margin, class Of>
 auto with_layout(Dimension dimension, Of of) {
   switch (grid_axes(dimension)) {
     case 1:
-      return of.template operator()<Layout{1, wide, margin}>();
+      return of.template operator()<Layout{1, reach, margin}>();
     case 2:
-      return of.template operator()<Layout{2, wide, margin}>();
+      return of.template operator()<Layout{2, reach, margin}>();
     default:
-      return of.template operator()<Layout{3, wide, margin}>();
+      return of.template operator()<Layout{3, reach, margin}>();
   }
 }
 
@@ -93,8 +92,8 @@ struct TransferChoice {
   static const TransferKernels* of(Dimension dimension, Margin margin) {
     const auto kernels = []<Layout L>() { return &transfer_kernels<Shape, L>; };
     if constexpr (!NeedsMargin<Shape>)
-      if (margin == Margin::none) return with_layout<Shape::wide, Margin::none>(dimension, kernels);
-    return with_layout<Shape::wide, Margin::one_cell>(dimension, kernels);
+      if (margin == Margin::none) return with_layout<Shape::reach, Margin::none>(dimension, kernels);
+    return with_layout<Shape::reach, Margin::one_cell>(dimension, kernels);
   }
 };
 

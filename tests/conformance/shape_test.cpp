@@ -44,20 +44,22 @@ class TileOfParticles {
         kernels(*(wide ? trajan::kernels().doubles : trajan::kernels().floats)
                      .transfer(c.shape, c.dimension, margin)) {
     const Layout& layout = kernels.layout;
+    const bool drift = !at_faces && margin == Margin::one_cell;
+    // The last of these lie on the lower face of the domain, before the first one of the tile that begins there.
+    const bool below = at_faces && layout.reach == Reach::staggered, before = below && margin == Margin::none;
     sweep.cell = cell;
     sweep.inverse_cell = 1 / cell;
     for (int axis = 0; axis < axes; ++axis) {
-      tile_at[axis] = at_faces ? 0 : 3;
+      tile_at[axis] = before ? -1 : at_faces ? 0 : 3;
       sweep.origin[axis] = 1.5 + axis;
       // With a single tile between the faces both of them fold.
       sweep.faces[axis] = at_faces ? layout.side : 100 * layout.side;
       body.half_size[axis] = 0.25;
       block.window_first[axis] = tile_at[axis] * layout.side - 1;
-      const int drift = at_faces || margin == Margin::none ? 0 : 1;
-      block.lowest[axis] = 1 - drift;
-      block.highest[axis] = layout.side + drift;
+      block.lowest[axis] = before ? layout.side : drift || below ? 0 : 1;
+      block.highest[axis] = layout.side + (drift ? 1 : 0);
     }
-    fill();
+    fill(at_faces);
     forget_results();
     scratch.cell[0] = 0;
     scratch.prepare(static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.layout.window_nodes),
@@ -123,7 +125,7 @@ class TileOfParticles {
     for (int ab = 0; ab < 9; ++ab) forget(scratch.gradient_of_grid()[ab]);
     for (int a = 0; a < 3; ++a) forget(scratch.acceleration[a]), forget(scratch.velocity[a]);
   }
-  void fill() {
+  void fill(bool at_faces) {
     arrays.assign(attribute_count, std::vector<double>(count, 0.0));
     for (int a = 0; a < attribute_count; ++a)
       block.arrays[static_cast<std::size_t>(a)] = arrays[static_cast<std::size_t>(a)].data();
@@ -136,12 +138,14 @@ class TileOfParticles {
     std::uniform_real_distribution<double> anywhere(0, 1), little(-0.2, 0.2);
     for (int i = 0; i < count; ++i) {
       for (int axis = 0; axis < axes; ++axis) {
-        const double lowest = block.lowest[axis], highest = block.highest[axis] + 1;
+        const double begin = begin_of_cells(kernels.layout.reach), least = -block.window_first[axis];
+        double lowest = block.lowest[axis] + begin, highest = block.highest[axis] + 1 + begin;
+        if (at_faces) lowest = std::max(lowest, least), highest = std::min(highest, least + sweep.faces[axis]);
         double place = lowest + (highest - lowest) * anywhere(random);
         if (i == 0) place = lowest;
         if (i == 1) place = lowest + 1e-9;
         if (i == 2) place = highest - 1e-9;
-        if (i == 3) place = lowest + 0.5;
+        if (i == 3) place = std::min(lowest + 0.5, highest - 1e-9);
         block.component(Attribute::position_x, axis)[i] =
             sweep.origin[axis] + cell * (block.window_first[axis] + place);
         block.component<Number>(Attribute::velocity_x, axis)[i] = static_cast<Number>(axis - 0.5);

@@ -112,7 +112,7 @@ constexpr double roundings(int axes, int longest_run) { return axes + 2 + axes *
 
 template <int Nodes, int D>
 void expect_sums() {
-  constexpr Layout layout{D, true};
+  constexpr Layout layout{D, Reach::wide};
   for (const std::vector<int>& runs : {std::vector{1}, {2}, {3}, {1, 1, 1}, {5, 2, 1, 3}, {4, 8, 7}}) {
     SCOPED_TRACE(testing::PrintToString(runs));
     EXPECT_LE((RandomBlock<Nodes, layout>(runs).largest_error()), roundings(D, 8)) << Nodes << ' ' << D;
