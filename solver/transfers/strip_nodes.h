@@ -30,20 +30,30 @@ struct NodesOfStrips {
   /// Adds it to `to`, which is the first cell's first node.
   __attribute__((always_inline)) void add_to(double* to) const {
 #pragma GCC unroll 4
-    for (int j = 0; j < Nodes; ++j, to += L.window_stride(1)) {
-      Cells sum = node[j][0];
-      Beyond beyond{};
-      add_shifted<1>(node[j], sum, beyond);
-      add(to, sum);
-      if constexpr (Nodes == 2)
-        to[cells_of_strip] += static_cast<double>(beyond[0]);
-      else
-        add(to + cells_of_strip, beyond);
-    }
+    for (int j = 0; j < Nodes; ++j) add_row(j, to + j * L.window_stride(1));
+  }
+  /// Adds the first row to `to`. What is left is the beginning of what nodes get of the next row of cells.
+  __attribute__((always_inline)) void add_first_row(double* to) {
+    add_row(0, to);
+#pragma GCC unroll 4
+    for (int j = 0; j < Nodes; ++j)
+#pragma GCC unroll 4
+      for (int i = 0; i < Nodes; ++i) node[j][i] = j + 1 < Nodes ? node[j + 1][i] : Cells{};
   }
 
  private:
   using Beyond = VectorOf<float, 4>::Type;
+
+  __attribute__((always_inline)) void add_row(int j, double* to) const {
+    Cells sum = node[j][0];
+    Beyond beyond{};
+    add_shifted<1>(node[j], sum, beyond);
+    add(to, sum);
+    if constexpr (Nodes == 2)
+      to[cells_of_strip] += static_cast<double>(beyond[0]);
+    else
+      add(to + cells_of_strip, beyond);
+  }
 
   /// The numbers of cells so many before, and of the last ones those that are beyond the eighth.
   template <int by>

@@ -7,7 +7,9 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// \name What strips give to their nodes
-/// Each is added up for all strips of a group before nodes get it. `to`: sums of a quantity.
+/// Each is added up for all strips of a group before nodes get it: by `finish`, or by `go_on` if the next group has
+/// the same lanes in the next row of cells, with which it shares all nodes but those of one row. `to`: sums of a
+/// quantity.
 /// @{
 
 /// Of numbers, each strip's by `Value`, times weights.
@@ -24,6 +26,7 @@ struct GivenProducts {
       for (int i = 0; i < Nodes; ++i) sums.node[j][i] = multiply_add(x.weight[i], row, sums.node[j][i]);
     }
   }
+  __attribute__((always_inline)) void go_on(std::int32_t cell) { sums.add_first_row(to + cell); }
   __attribute__((always_inline)) void finish(std::int32_t cell) const { sums.add_to(to + cell); }
 
   double* to;
@@ -58,11 +61,21 @@ struct GivenForce {
       }
     }
   }
+  __attribute__((always_inline)) void go_on(std::int32_t cell) {
+    to_nodes();
+    sums.add_first_row(to + cell);
+  }
   __attribute__((always_inline)) void finish(std::int32_t cell) {
-    if constexpr (Nodes == 2)
-      sums = {{{along_x[0] + along_y[0], along_y[1] - along_x[0]},
-               {along_x[1] - along_y[0], -along_x[1] - along_y[1]}}};
+    to_nodes();
     sums.add_to(to + cell);
+  }
+  /// What has been added up by axis.
+  __attribute__((always_inline)) void to_nodes() {
+    if constexpr (Nodes == 2) {
+      sums.node[0][0] += along_x[0] + along_y[0], sums.node[0][1] += along_y[1] - along_x[0];
+      sums.node[1][0] += along_x[1] - along_y[0], sums.node[1][1] -= along_x[1] + along_y[1];
+      along_x[0] = along_x[1] = along_y[0] = along_y[1] = Cells{};
+    }
   }
 
   double* to;
@@ -91,6 +104,7 @@ struct GivenLinearMomentum {
             multiply_add(x.weight[i], multiply_add(spread<Cells>(float(i)), change, row), sums.node[j][i]);
     }
   }
+  __attribute__((always_inline)) void go_on(std::int32_t cell) { sums.add_first_row(to + cell); }
   __attribute__((always_inline)) void finish(std::int32_t cell) const { sums.add_to(to + cell); }
 
   double* to;
