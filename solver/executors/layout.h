@@ -9,6 +9,8 @@
 ///
 ///     cells of a window along an axis: 1 .. side, the tile's own, and in the margin 0 and side + 1
 ///     nodes of a window along an axis: 0 .. window_side - 1, of which the tile owns below .. below + side - 1
+///
+/// Cell c of a window begins at the tile's node c - 1, or half a cell above it (`Reach`).
 namespace trajan {
 
 inline constexpr int tile_nodes = 64;

@@ -13,8 +13,8 @@ template <Reach reach>
 inline bool reaches_a_face(const Block& block, int axis) {
   const double lower = -block.window_first[axis], upper = block.sweep->faces[axis] + lower;
   const bool faces = block.sweep->period[axis] == 0;
-  return faces && (block.lowest[axis] - more_below(reach) < lower ||
-                   block.highest[axis] + 1 + more_above(reach) > upper);
+  return faces &&
+         (block.lowest[axis] - more_below(reach) < lower || block.highest[axis] + 1 + more_above(reach) > upper);
 }
 
 /// Shape functions of nodes beyond a face of the domain do not exist: what they would carry is the linear
