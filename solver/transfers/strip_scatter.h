@@ -63,24 +63,28 @@ class StripScatter {
     give_of<SparseStrip>(given...);
     give_of<FullStrip>(given...);
   }
-  /// In groups of strips that have the same lanes, as many as follow each other row by row.
   template <class OneStrip, class... Given>
   __attribute__((always_inline)) void give_of(const Given&... given) const {
+    for (int strip = 0; strip < OneStrip::list(s_).size;) strip = give_rows<OneStrip>(strip, given...);
+  }
+  /// From a strip on, in groups of strips that have the same lanes, as many as follow each other row by row.
+  /// Returns the strip after them.
+  template <class OneStrip, class... Sums>
+  __attribute__((always_inline)) int give_rows(int i, Sums... sums) const {
     const auto& list = OneStrip::list(s_);
-    for (int i = 0; i < list.size;)
-      [&](auto... sums) __attribute__((always_inline)) {
-        for (;;) {
-          const int cell = list.cell[i];
-          do {
-            const OneStrip strip(s_, i);
-            const AlongAxis<Nodes> x(s_, 0, strip), y(s_, 1, strip);
-            (sums.add(strip, x, y), ...);
-          } while (++i < list.size && list.cell[i] == cell);
-          if (i == list.size || list.cell[i] != cell + L.window_stride(1)) return (sums.finish(cell), ...);
-          (sums.go_on(cell), ...);
-        }
+    for (;;) {
+      const int cell = list.cell[i];
+      do {
+        const OneStrip strip(s_, i);
+        const AlongAxis<Nodes> x(s_, 0, strip), y(s_, 1, strip);
+        (sums.add(strip, x, y), ...);
+      } while (++i < list.size && list.cell[i] == cell);
+      if (i == list.size || list.cell[i] != cell + L.window_stride(1)) {
+        (sums.finish(cell), ...);
+        return i;
       }
-      (given...);
+      (sums.go_on(cell), ...);
+    }
   }
 
   RealScratch& s_;
