@@ -7,9 +7,9 @@ namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
 /// \name What strips give to their nodes
-/// Each is added up for all strips of a group before nodes get it: by `finish`, or by `go_on` if the next group has
-/// the same lanes in the next row of cells, with which it shares all nodes but those of one row. `to`: sums of a
-/// quantity.
+/// Each is added up for all strips of a group before nodes get it: by `finish`, or by `go_on` if the next
+/// group has the same lanes in the next row of cells, with which it shares all nodes but those of one row.
+/// `to`: sums of a quantity.
 /// @{
 
 /// Of numbers, each strip's by `Value`, times weights.
