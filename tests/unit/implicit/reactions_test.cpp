@@ -45,6 +45,28 @@ INSTANTIATE_TEST_SUITE_P(, StaticReactions,
                          ::testing::Values(std::tuple{"TLMPM", "linear"}, std::tuple{"MUSL", "gimp"},
                                            std::tuple{"TLMPM", "cubic_bspline"}));
 
+/// Stencils of splines that keep their degree are moved into the domain: wherever its faces are among the tiles,
+/// loads there must find the nodes.
+TEST(Reactions, BearLoadsOnFacesOfTheDomain) {
+  for (const std::string shapes : {"quadratic_bspline", "cubic_bspline"})
+    for (const int cells : {8, 9, 10, 12})
+      for (const bool upper : {false, true}) {
+        const double length = 0.25 * cells;
+        Scene scene = block(Dimension::plane_strain, "neo_hookean", length, 0.25, 0.3);
+        scene.numerics.shape_functions = shapes;
+        scene.domain.lower = {0, -1}, scene.domain.upper = {length, 3};
+        const double held = upper ? 0 : length;
+        scene.boundaries = {{"end", Box{{held, -1}, {held, 3}}, Fixed{}}};
+        scene.loads = {growing(traction("block", upper ? Edge::right : Edge::left, {1, -0.5}))};
+        scene.outputs.reactions = {"end"};
+        const Model model = validate(scene);
+        const Answer answer = solve(model);
+        ASSERT_EQ(answer.result.end, RunEnd::finished) << shapes << ' ' << cells << ' ' << upper;
+        EXPECT_NEAR(reaction(model, answer, 2, "end.x"), -1, 1e-5) << shapes << ' ' << cells << ' ' << upper;
+        EXPECT_NEAR(reaction(model, answer, 2, "end.y"), 0.5, 1e-5) << shapes << ' ' << cells << ' ' << upper;
+      }
+}
+
 TEST(Reactions, OfAHingeAndOfNodesShareTheLoad) {
   Scene scene = block(Dimension::plane_strain, "linear_strain_elastic", 2, 0.25, 0);
   Hinge hinge;
