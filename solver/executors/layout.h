@@ -21,7 +21,7 @@ inline constexpr int most_neighbours = 27;  ///< the tile itself included
 /// and step with linear functions, in floats 29.5 -> 21.5.
 enum class Margin : unsigned char { none, one_cell };
 
-/// Which nodes particles reach, and by that which cells they belong to. All particles of a cell reach the same.
+/// Which nodes particles reach at most, and by that which cells they belong to.
 enum class Reach : unsigned char {
   cell,       ///< those of their cell
   staggered,  ///< the nearest one and one more on each side: cells lie half a cell above those of the grid

@@ -9,7 +9,7 @@
 namespace trajan {
 namespace {
 
-bool is_wide(const Model& model) {
+bool reaches_beyond_a_cell(const Model& model) {
   return kernels().doubles.transfer(model.numerics.shape_functions, model.dimension, Margin::none)->layout.reach !=
          Reach::cell;
 }
@@ -22,7 +22,7 @@ double factor_work(double unknowns, double nodes, int axes) {
 }
 
 double factor_work(const Model& model) {
-  const double more = is_wide(model) ? 2 : 1;
+  const double more = reaches_beyond_a_cell(model) ? 2 : 1;
   const int axes = grid_axes(model.dimension);
   double work = 0;
   for (const Body& body : model.bodies) {
@@ -42,7 +42,7 @@ double factor_work(const Model& model) {
 }
 
 double nodes_in_reach(const Model& model) {
-  return polynomial_degree(model.numerics.shape_functions) == 3 ? 4 : is_wide(model) ? 3 : 2;
+  return polynomial_degree(model.numerics.shape_functions) == 3 ? 4 : reaches_beyond_a_cell(model) ? 3 : 2;
 }
 
 double row_entries(const Model& model) {

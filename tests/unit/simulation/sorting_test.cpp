@@ -72,7 +72,7 @@ TEST_P(Sorting, PutsParticlesInTheTileThatOwnsTheirFirstNode) {
 }
 
 /// With one or three particles to a cell's side some lie in the middle between nodes, up to rounding to one side
-/// or the other: with a margin they would cost half as much again.
+/// or the other: windows need no margin for that.
 TEST_P(Sorting, FindsNoneOutsideItsTileWhereAllStay) {
   test::Memory memory;
   ASSERT_EQ(run(model(), {1, 0, {}}, memory, nullptr).end, RunEnd::finished);
