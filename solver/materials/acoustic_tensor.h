@@ -28,7 +28,9 @@ void acoustic_tensor_at_rest(const Law& law, int axis, std::span<double> out) {
     std::copy(initial.begin(), initial.end(), history.begin());
     const SymmetricTensor<N, T> stress = respond(law, f, history).kirchhoff;
     std::array<T, K> force;
-    for (int i = 0; i < N; ++i) force[i] = stress(i, axis);
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j)
+        if (j == axis) force[i] = stress(i, j);
     for (int r = N; r < K; ++r) force[r] = stress.diagonal[r];
     for (int r = K - 1; r >= N; --r)
       for (int i = 0; i < r; ++i)

@@ -54,6 +54,17 @@ __attribute__((always_inline)) inline std::int32_t sum_of_lanes(EightLanes v) {
   return v[0] + v[1];
 }
 
+/// Eight bytes, the first one lowest. GCC 12 would take each by itself.
+__attribute__((always_inline)) inline EightLanes lanes_of_bytes(std::uint64_t bytes) {
+#ifdef __AVX2__
+  return reinterpret_cast<EightLanes>(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<std::int64_t>(bytes))));
+#else
+  EightLanes lanes{};
+  for (int lane = 0; lane < 8; ++lane) lanes[lane] = static_cast<std::int32_t>(bytes >> 8 * lane & 0xFF);
+  return lanes;
+#endif
+}
+
 /// For each set of lanes how many of them are before each lane.
 inline constexpr auto lanes_before = [] {
   std::array<std::array<std::uint8_t, 8>, 256> before{};
@@ -63,10 +74,7 @@ inline constexpr auto lanes_before = [] {
   return before;
 }();
 __attribute__((always_inline)) inline EightLanes count_lanes_before(std::int32_t bits) {
-  using EightBytes = VectorOf<std::uint8_t, 8>::Type;
-  EightBytes before;
-  __builtin_memcpy(&before, lanes_before[static_cast<std::size_t>(bits)].data(), sizeof before);
-  return __builtin_convertvector(before, EightLanes);
+  return lanes_of_bytes(std::bit_cast<std::uint64_t>(lanes_before[static_cast<std::size_t>(bits)]));
 }
 
 }  // namespace TRAJAN_INSTRUCTION_SET

@@ -65,11 +65,8 @@ inline int find_ends(const std::int32_t* values, int count, std::int32_t* out) {
     const auto ends = static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(At::is_end(before, now))) &
                                             after_the_first);
     // The numbers of the lanes that are set, one a byte.
-    const std::uint64_t bytes = _pdep_u64(ends, 0x0101010101010101U) * 0xFF,
-                        numbers = _pext_u64(0x0706050403020100U, bytes);
-    VectorOf<std::uint8_t, 8>::Type each;
-    __builtin_memcpy(&each, &numbers, sizeof each);
-    const EightLanes indices = __builtin_convertvector(each, EightLanes) + i;
+    const std::uint64_t bytes = _pdep_u64(ends, 0x0101010101010101U) * 0xFF;
+    const EightLanes indices = lanes_of_bytes(_pext_u64(0x0706050403020100U, bytes)) + i;
     __builtin_memcpy(out + found, &indices, sizeof indices);
     found += __builtin_popcount(ends);
     last = now;

@@ -47,7 +47,8 @@ inline bool find_places_in_doubles(Block& block) {
   }
   constexpr double below = 1 - 0x1p-40;
   const double inverse_cell = block.sweep->inverse_cell;
-  int out = 0;
+  // As wide as what is compared.
+  std::int64_t out = 0;
   const auto find_each = [&](auto in_window) __attribute__((always_inline)) {
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {

@@ -51,9 +51,6 @@ __attribute__((always_inline)) inline __m512d widened(__m256 a) {
 }
 #endif
 void fused(), widened();  // so that the names are there
-
-template <class Vector, class Number = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>>
-using Half = typename VectorOf<Number, sizeof(Vector) / sizeof(Number) / 2>::Type;
 }  // namespace intrinsics
 
 /// a b + c, rounded once where the instruction set has an instruction for that, which x86-64-v3 has, v4 too, and
@@ -63,15 +60,6 @@ template <class Vector>
 __attribute__((always_inline)) inline Vector multiply_add(Vector a, Vector b, Vector c) {
   if constexpr (requires { intrinsics::fused(a, b, c); }) {
     return intrinsics::fused(a, b, c);
-  } else if constexpr (requires(intrinsics::Half<Vector> half) { intrinsics::fused(half, half, half); }) {
-    // Twice as wide as registers.
-    intrinsics::Half<Vector> as[2], bs[2], cs[2];
-    __builtin_memcpy(as, &a, sizeof a);
-    __builtin_memcpy(bs, &b, sizeof b);
-    __builtin_memcpy(cs, &c, sizeof c);
-    for (int i = 0; i < 2; ++i) cs[i] = intrinsics::fused(as[i], bs[i], cs[i]);
-    __builtin_memcpy(&c, cs, sizeof c);
-    return c;
   } else {
     return a * b + c;
   }

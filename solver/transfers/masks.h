@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/transfers/intrinsics.h"
+#include "solver/transfers/twice.h"
 
 /// Some lanes of vectors.
 namespace trajan {
@@ -28,7 +28,13 @@ void load_masked();  // so that the name is there
 template <class Vector, int first, int end>
 __attribute__((always_inline)) inline Vector load_lanes(const double* from) {
   Vector lanes{};
-  if constexpr (requires { intrinsics::load_masked(from, 0, lanes); }) {
+  if constexpr (is_twice<Vector>) {
+    constexpr int half = Vector::half;
+    constexpr auto clipped = [](int lane) { return lane < 0 ? 0 : lane < half ? lane : half; };
+    using Half = decltype(Vector::lower);
+    lanes.lower = load_lanes<Half, clipped(first), clipped(end)>(from);
+    lanes.upper = load_lanes<Half, clipped(first - half), clipped(end - half)>(from + half);
+  } else if constexpr (requires { intrinsics::load_masked(from, 0, lanes); }) {
     intrinsics::load_masked(from, (1LL << end) - (1LL << first), lanes);
   } else {
 #pragma GCC unroll 8

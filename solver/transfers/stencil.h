@@ -59,10 +59,10 @@ struct ProductStencil<2, L, Slopes...> {
  private:
   /// One value for the lower corners along an axis, one for the upper ones.
   __attribute__((always_inline)) static Row along(int axis, Real lower, Real upper) {
-    Row row;
+    Real row[1 << D];
 #pragma GCC unroll 8
     for (int lane = 0; lane < 1 << D; ++lane) row[lane] = lane >> axis & 1 ? upper : lower;
-    return row;
+    return load<Row>(row);
   }
   template <class Kind>
   __attribute__((always_inline)) static Row slope_along(const RealScratch& s, int axis, int i) {

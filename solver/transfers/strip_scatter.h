@@ -25,7 +25,7 @@ class StripScatter {
   }
   auto linear_momentum(double* to, const float* at_first, const float* moment_x, const float* moment_y,
                        float factor) const {
-    return GivenLinearMomentum<Nodes, L, Mass>{to, mass_, at_first, moment_x, moment_y, factor};
+    return GivenLinearMomentum<Nodes, L, Mass>{{to}, mass_, at_first, moment_x, moment_y, factor};
   }
   /// `values` themselves.
   auto weighed(double* to, const float* values) const {
@@ -56,7 +56,7 @@ class StripScatter {
   };
   template <class Value>
   static auto products(double* to, Value value) {
-    return GivenProducts<Nodes, L, Value>{to, value};
+    return GivenProducts<Nodes, L, Value>{{to}, value};
   }
   template <class... Given>
   __attribute__((always_inline)) void give_at_once(const Given&... given) const {

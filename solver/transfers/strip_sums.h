@@ -12,9 +12,19 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 /// `to`: sums of a quantity.
 /// @{
 
+/// Sums of the nodes alone.
+template <int Nodes, Layout L>
+struct GivenToNodes {
+  __attribute__((always_inline)) void go_on(std::int32_t cell) { sums.add_first_row(to + cell); }
+  __attribute__((always_inline)) void finish(std::int32_t cell) const { sums.add_to(to + cell); }
+
+  double* to;
+  NodesOfStrips<Nodes, L> sums{};
+};
+
 /// Of numbers, each strip's by `Value`, times weights.
 template <int Nodes, Layout L, class Value>
-struct GivenProducts {
+struct GivenProducts : GivenToNodes<Nodes, L> {
   template <class OneStrip>
   __attribute__((always_inline)) void add(const OneStrip& strip, const AlongAxis<Nodes>& x,
                                           const AlongAxis<Nodes>& y) {
@@ -23,15 +33,14 @@ struct GivenProducts {
     for (int j = 0; j < Nodes; ++j) {
       const Cells row = y.weight[j] * value;
 #pragma GCC unroll 4
-      for (int i = 0; i < Nodes; ++i) sums.node[j][i] = multiply_add(x.weight[i], row, sums.node[j][i]);
+      for (int i = 0; i < Nodes; ++i) {
+        Cells& sum = this->sums.node[j][i];
+        sum = multiply_add(x.weight[i], row, sum);
+      }
     }
   }
-  __attribute__((always_inline)) void go_on(std::int32_t cell) { sums.add_first_row(to + cell); }
-  __attribute__((always_inline)) void finish(std::int32_t cell) const { sums.add_to(to + cell); }
 
-  double* to;
   Value value_of;
-  NodesOfStrips<Nodes, L> sums{};
 };
 
 /// A component of internal forces, of the parts that act across both axes.
@@ -88,7 +97,7 @@ struct GivenForce {
 /// Of a velocity that is `at_first` at a particle's first node and grows by `factor` times moments from one node
 /// to the next: momentum.
 template <int Nodes, Layout L, class Mass>
-struct GivenLinearMomentum {
+struct GivenLinearMomentum : GivenToNodes<Nodes, L> {
   template <class OneStrip>
   __attribute__((always_inline)) void add(const OneStrip& strip, const AlongAxis<Nodes>& x,
                                           const AlongAxis<Nodes>& y) {
@@ -99,19 +108,16 @@ struct GivenLinearMomentum {
     for (int j = 0; j < Nodes; ++j, velocity += along_y) {
       const Cells of_row = y.weight[j] * mass, row = of_row * velocity, change = of_row * along_x;
 #pragma GCC unroll 4
-      for (int i = 0; i < Nodes; ++i)
-        sums.node[j][i] =
-            multiply_add(x.weight[i], multiply_add(spread<Cells>(float(i)), change, row), sums.node[j][i]);
+      for (int i = 0; i < Nodes; ++i) {
+        Cells& sum = this->sums.node[j][i];
+        sum = multiply_add(x.weight[i], multiply_add(spread<Cells>(float(i)), change, row), sum);
+      }
     }
   }
-  __attribute__((always_inline)) void go_on(std::int32_t cell) { sums.add_first_row(to + cell); }
-  __attribute__((always_inline)) void finish(std::int32_t cell) const { sums.add_to(to + cell); }
 
-  double* to;
   Mass mass_of;
   const float *at_first, *moment_x, *moment_y;
   float factor;
-  NodesOfStrips<Nodes, L> sums{};
 };
 /// @}
 

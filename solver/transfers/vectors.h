@@ -2,8 +2,9 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
-#include "solver/transfers/intrinsics.h"
+#include "solver/transfers/twice.h"
 
 /// Short vectors of numbers.
 namespace trajan {
@@ -11,7 +12,7 @@ inline namespace TRAJAN_INSTRUCTION_SET {
 
 using Pair = VectorOf<Real, 2>::Type;
 using Four = VectorOf<Real, 4>::Type;
-using Eight = VectorOf<Real, 8>::Type;
+using Eight = Numbers<Real, 8>;
 
 template <class Number, class Value>
 __attribute__((always_inline)) inline auto converted(Value value) {
@@ -19,6 +20,14 @@ __attribute__((always_inline)) inline auto converted(Value value) {
     return static_cast<Number>(value);
   } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value[0])>, Number>) {
     return value;
+  } else if constexpr (is_twice<Numbers<Number, sizeof value / sizeof value[0]>>) {
+    using Wide = Numbers<Number, sizeof value / sizeof value[0]>;
+    return [&]<std::size_t... lane>(std::index_sequence<lane...>) __attribute__((always_inline)) {
+      return Wide{converted_vector<decltype(Wide::lower)>(__builtin_shufflevector(value, value, lane...)),
+                  converted_vector<decltype(Wide::upper)>(
+                      __builtin_shufflevector(value, value, (lane + sizeof...(lane))...))};
+    }
+    (std::make_index_sequence<Wide::half>());
   } else {
     constexpr std::size_t count = sizeof value / sizeof value[0];
     return converted_vector<typename VectorOf<Number, count>::Type>(value);
@@ -26,15 +35,26 @@ __attribute__((always_inline)) inline auto converted(Value value) {
 }
 template <class Vector, class Number>
 __attribute__((always_inline)) inline Vector load(const Number* from) {
-  Vector value;
-  __builtin_memcpy(&value, from, sizeof value);
-  return value;
+  if constexpr (is_twice<Vector>) {
+    using Half = decltype(Vector::lower);
+    return {load<Half>(from), load<Half>(from + Vector::half)};
+  } else {
+    Vector value;
+    __builtin_memcpy(&value, from, sizeof value);
+    return value;
+  }
 }
 /// Of numbers of any type, scalars too, which become those of the array.
 template <class Number, class Value>
 __attribute__((always_inline)) inline void store(Number* to, Value value) {
-  const auto as_number = converted<Number>(value);
-  __builtin_memcpy(to, &as_number, sizeof as_number);
+  if constexpr (is_twice<Value>) {
+    store(to, value.lower);
+    store(to + Value::half, value.upper);
+  } else if constexpr (const auto as_number = converted<Number>(value); is_twice<decltype(as_number)>) {
+    store(to, as_number);
+  } else {
+    __builtin_memcpy(to, &as_number, sizeof as_number);
+  }
 }
 template <class Number, class Value>
 __attribute__((always_inline)) inline void add(Number* to, Value value) {
@@ -62,7 +82,7 @@ __attribute__((always_inline)) inline const Real* hidden(const Real* p) {
   return p;
 }
 /// Of the lanes 0 and 1, 2 and 3, 4 and 5, 6 and 7.
-__attribute__((always_inline)) inline Four sum_of_pairs(Eight v) {
+__attribute__((always_inline)) inline Four sum_of_pairs(VectorOf<Real, 8>::Type v) {
   return __builtin_shufflevector(v, v, 0, 2, 4, 6) + __builtin_shufflevector(v, v, 1, 3, 5, 7);
 }
 __attribute__((always_inline)) inline Real sum(Pair v) { return v[0] + v[1]; }

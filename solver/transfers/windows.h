@@ -22,7 +22,7 @@ struct Overlap {
 
 /// A tile's nodes along x.
 template <Layout L>
-using TileRow = typename VectorOf<double, static_cast<std::size_t>(L.side)>::Type;
+using TileRow = Numbers<double, static_cast<std::size_t>(L.side)>;
 
 /// What a row of nodes gets of the windows of its tile (`middle`) and of those to the left and right; each points
 /// at the window's row.

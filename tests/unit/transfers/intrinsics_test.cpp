@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "solver/transfers/find_ends.h"
@@ -16,24 +17,51 @@ namespace trajan::test {
 namespace {
 
 template <class Vector>
+constexpr int lanes_in = sizeof(Vector) / sizeof(std::declval<Vector&>()[0]);
+
+/// A vector whose lane i is of(i).
+template <class Vector, class Of>
+Vector made(Of&& of) {
+  std::remove_cvref_t<decltype(std::declval<Vector&>()[0])> numbers[lanes_in<Vector>];
+  for (int i = 0; i < lanes_in<Vector>; ++i) numbers[i] = of(i);
+  return load<Vector>(numbers);
+}
+
+template <class Vector>
 class MultiplyAdd : public testing::Test {};
-using Vectors = testing::Types<Pair, Four, Eight>;
+using Vectors = testing::Types<Pair, Four, Eight, Twice<Pair>, Twice<Four>>;
 TYPED_TEST_SUITE(MultiplyAdd, Vectors);
 
 TYPED_TEST(MultiplyAdd, IsTheProductPlusTheTermInEveryLaneRoundedOnceOrTwice) {
-  TypeParam a, b, c;
-  const int lanes = sizeof a / sizeof a[0];
-  for (int i = 0; i < lanes; ++i) {
-    a[i] = static_cast<Real>(1.1 + i);
-    b[i] = static_cast<Real>(0.3 - i);
-    c[i] = static_cast<Real>(7.7 * i - 2);
-  }
+  const auto a = made<TypeParam>([](int i) { return static_cast<Real>(1.1 + i); }),
+             b = made<TypeParam>([](int i) { return static_cast<Real>(0.3 - i); }),
+             c = made<TypeParam>([](int i) { return static_cast<Real>(7.7 * i - 2); });
   const TypeParam sum = multiply_add(a, b, c);
-  for (int i = 0; i < lanes; ++i) {
+  for (int i = 0; i < lanes_in<TypeParam>; ++i) {
     const Real once = std::fma(a[i], b[i], c[i]);
     const volatile Real product = a[i] * b[i];
     EXPECT_TRUE(sum[i] == once || sum[i] == product + c[i]) << i;
   }
+}
+
+TEST(TwiceARegister, ReckonsInEveryLane) {
+  using Vector = Twice<Four>;
+  const auto a = made<Vector>([](int i) { return static_cast<Real>(1.1 + i); }),
+             b = made<Vector>([](int i) { return static_cast<Real>(0.3 - i); });
+  Vector sum = a, product = a;
+  sum += b;
+  product *= b;
+  for (int i = 0; i < lanes_in<Vector>; ++i) {
+    EXPECT_EQ(sum[i], a[i] + b[i]) << i;
+    EXPECT_EQ(product[i], a[i] * b[i]) << i;
+    EXPECT_EQ((a * Real{3})[i], a[i] * Real{3}) << i;
+    EXPECT_EQ((Real{3} * a)[i], a[i] * Real{3}) << i;
+    EXPECT_EQ((Real{3} - a)[i], Real{3} - a[i]) << i;
+    EXPECT_EQ((-a)[i], -a[i]) << i;
+  }
+  double sums[8] = {1, 2, 3, 4, 5, 6, 7, 8};
+  add(sums, a);
+  for (int i = 0; i < lanes_in<Vector>; ++i) EXPECT_EQ(sums[i], 1 + i + static_cast<double>(a[i])) << i;
 }
 
 TEST(Spread, HasTheNumberInEveryLaneWithItsSign) {
@@ -44,7 +72,8 @@ TEST(Spread, HasTheNumberInEveryLaneWithItsSign) {
 
 template <class Vector>
 class LanesFromOne : public testing::Test {};
-TYPED_TEST_SUITE(LanesFromOne, Vectors);
+using Registers = testing::Types<Pair, Four>;
+TYPED_TEST_SUITE(LanesFromOne, Registers);
 
 TYPED_TEST(LanesFromOne, GetTheNumberAndNoOthers) {
   const int lanes = sizeof(TypeParam) / sizeof(Real);
@@ -76,6 +105,9 @@ TEST(LoadLanes, ReadsTheseAlone) {
   expect_lanes<Rows8, 0, 3>();
   expect_lanes<Rows8, 6, 8>();
   expect_lanes<Rows8, 7, 8>();
+  expect_lanes<Twice<Rows4>, 0, 3>();
+  expect_lanes<Twice<Rows4>, 3, 6>();
+  expect_lanes<Twice<Rows4>, 7, 8>();
 }
 
 TEST(Converted, KeepsFloatsInTheirLanes) {
