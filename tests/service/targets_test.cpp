@@ -32,6 +32,23 @@ v1::SubmitJobRequest rod(double tolerance) {
   return request;
 }
 
+/// The same in a plane, where twice the accuracy costs four times as much: no ladder ends before a core-second.
+v1::SubmitJobRequest plane_rod(double tolerance) {
+  v1::SubmitJobRequest request = rod(tolerance);
+  v1::Scene& scene = *request.mutable_scene();
+  scene.mutable_domain()->set_dimension(v1::Domain::PLANE_STRESS);
+  for (v1::Vector* corner : {scene.mutable_domain()->mutable_upper(),
+                             scene.mutable_bodies(0)->mutable_geometry()->mutable_box()->mutable_upper(),
+                             scene.mutable_boundaries(0)->mutable_nodes()->mutable_box()->mutable_upper()})
+    corner->set_y(0.25);
+  for (v1::Vector* corner : {scene.mutable_domain()->mutable_lower(),
+                             scene.mutable_bodies(0)->mutable_geometry()->mutable_box()->mutable_lower(),
+                             scene.mutable_boundaries(0)->mutable_nodes()->mutable_box()->mutable_lower()})
+    corner->set_y(0);
+  scene.mutable_outputs()->mutable_probes(0)->mutable_nearest()->set_y(0.125);
+  return request;
+}
+
 #ifdef TRAJAN_SANITIZED
 constexpr bool computing_is_slow = true;
 #else
@@ -66,13 +83,14 @@ TEST(Targets, end_with_the_answer_and_the_files_of_the_run_that_is_within_the_to
 
 TEST(Targets, fail_with_the_band_that_the_budget_allowed) {
   Service service;
-  v1::SubmitJobRequest request = rod(1e-9);
-  // Enough for two runs, which a band needs.
-  request.mutable_fidelity()->mutable_target()->set_budget_core_seconds(computing_is_slow ? 3 : 0.3);
+  v1::SubmitJobRequest request = plane_rod(1e-9);
+  // Some ten times what the two runs take that a band needs.
+  request.mutable_fidelity()->mutable_target()->set_budget_core_seconds(computing_is_slow ? 6 : 1);
   const v1::Job ended = service.wait(submit(service, request));
   EXPECT_EQ(ended.state(), v1::FAILED);
   EXPECT_EQ(ended.failure().reason(), "TOLERANCE_NOT_REACHED");
   EXPECT_THAT(ended.failure().message(), testing::HasSubstr("+-"));
+  EXPECT_THAT(ended.failure().message(), testing::HasSubstr("and the budget is"));
   EXPECT_EQ(ended.measures_size(), 0) << "no number that is not within the tolerance";
 }
 
