@@ -15,7 +15,7 @@ using Rates = std::map<std::string, double>;
 
 /// To be raised when rates come, go or mean something else, or steps have become faster, so that machines are
 /// measured anew.
-constexpr int rates_version = 9;
+constexpr int rates_version = 10;
 
 /// An explicit step with transfer FLIP and an elastic law in rate form: each "step", each of its "tile"s (see
 /// `weighted_tiles`) and "particle"s.
