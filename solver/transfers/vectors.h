@@ -50,9 +50,8 @@ __attribute__((always_inline)) inline void store(Number* to, Value value) {
   if constexpr (is_twice<Value>) {
     store(to, value.lower);
     store(to + Value::half, value.upper);
-  } else if constexpr (const auto as_number = converted<Number>(value); is_twice<decltype(as_number)>) {
-    store(to, as_number);
   } else {
+    const auto as_number = converted<Number>(value);
     __builtin_memcpy(to, &as_number, sizeof as_number);
   }
 }
