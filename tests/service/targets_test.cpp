@@ -32,7 +32,8 @@ v1::SubmitJobRequest rod(double tolerance) {
   return request;
 }
 
-/// The same in a plane, where twice the accuracy costs four times as much: no ladder ends before a core-second.
+/// The same in a plane, where half the cell size costs some five times as much: no ladder ends before a
+/// core-second.
 v1::SubmitJobRequest plane_rod(double tolerance) {
   v1::SubmitJobRequest request = rod(tolerance);
   v1::Scene& scene = *request.mutable_scene();
@@ -84,7 +85,7 @@ TEST(Targets, end_with_the_answer_and_the_files_of_the_run_that_is_within_the_to
 TEST(Targets, fail_with_the_band_that_the_budget_allowed) {
   Service service;
   v1::SubmitJobRequest request = plane_rod(1e-9);
-  // Some ten times what the two runs take that a band needs.
+  // A band needs two runs, which must not be too dear where machines are slow.
   request.mutable_fidelity()->mutable_target()->set_budget_core_seconds(computing_is_slow ? 6 : 1);
   const v1::Job ended = service.wait(submit(service, request));
   EXPECT_EQ(ended.state(), v1::FAILED);
