@@ -11,7 +11,7 @@
 namespace trajan::client {
 namespace {
 
-constexpr std::chrono::seconds patience{10};
+constexpr std::chrono::seconds first_answer_allowed{10};
 constexpr std::chrono::seconds call_deadline{30};
 constexpr const char* details_key = "trajan-error-bin";
 
@@ -118,7 +118,7 @@ bool Connection::answers_within(std::chrono::milliseconds wait) {
 }
 
 void Connection::repeat(const std::function<grpc::Status(grpc::ClientContext&)>& attempt) {
-  const auto give_up = std::chrono::steady_clock::now() + patience;
+  const auto give_up = std::chrono::steady_clock::now() + first_answer_allowed;
   for (Backoff backoff;; backoff.pause()) {
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() + call_deadline);

@@ -33,6 +33,8 @@ void require_ok(const grpc::Status& status, const grpc::ClientContext& context, 
 
 /// Whether the server may be back soon: it does not answer, or it ended the call because it shuts down.
 bool may_come_back(const grpc::Status& status);
+/// How long a stream tries to reach a server that does not answer.
+inline constexpr std::chrono::seconds silence_allowed{60};
 
 /// A connection to a server. Calls may come from several threads.
 class Connection {

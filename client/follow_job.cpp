@@ -3,8 +3,6 @@
 namespace trajan::client {
 namespace {
 
-constexpr std::chrono::seconds patience{60};
-
 /// What is known of a job between connections.
 struct Followed {
   v1::Job job;
@@ -36,7 +34,8 @@ void watch_once(Connection& connection, const std::string& job_id, InterruptWatc
   v1::WatchJobResponse response;
   while (reader->Read(&response)) take(response, followed, listener);
   const grpc::Status status = reader->Finish();
-  const bool again = may_come_back(status) && std::chrono::steady_clock::now() - followed.last_heard < patience;
+  const bool again =
+      may_come_back(status) && std::chrono::steady_clock::now() - followed.last_heard < silence_allowed;
   if (!again && !interrupt.interrupted()) require_ok(status, context, connection.address());
 }
 

@@ -9,8 +9,6 @@
 namespace trajan::client {
 namespace {
 
-constexpr std::chrono::seconds patience{60};
-
 struct Cursor {
   std::int64_t next_row = 0;
   std::size_t columns = 0;
@@ -47,7 +45,7 @@ bool stream_once(Connection& connection, const HistoryRequest& asked, InterruptW
   while (reader->Read(&response)) take(response, cursor, consumer);
   const grpc::Status status = reader->Finish();
   if (interrupt != nullptr && interrupt->interrupted()) return true;
-  if (may_come_back(status) && std::chrono::steady_clock::now() - cursor.last_heard < patience) {
+  if (may_come_back(status) && std::chrono::steady_clock::now() - cursor.last_heard < silence_allowed) {
     return false;
   }
   require_ok(status, context, connection.address());

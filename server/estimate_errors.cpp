@@ -22,7 +22,7 @@ constexpr double usual_order = 2;
 /// cells.
 constexpr double same_factor = 1.2, doubling_factor = 1.5;
 
-std::string method_of(const v1::Settings& settings) {
+std::string method_bytes(const v1::Settings& settings) {
   v1::Settings method = settings;
   method.clear_cell_size();
   method.mutable_numerics()->clear_threads();
@@ -32,10 +32,10 @@ std::string method_of(const v1::Settings& settings) {
 /// Errors of one measure by one method: of the smallest cells first.
 std::map<double, const v1::Finding*> errors_by_cell(const v1::Scene& scene, const Evidence& evidence,
                                                     const std::string& measure) {
-  const std::string method = method_of(settings_of(scene));
+  const std::string method = method_bytes(settings_of(scene));
   std::map<double, const v1::Finding*> errors;
   for (const v1::Finding& finding : evidence.findings)
-    if (finding.measure() == measure && finding.error() > 0 && method_of(finding.settings()) == method)
+    if (finding.measure() == measure && finding.error() > 0 && method_bytes(finding.settings()) == method)
       errors[finding.settings().cell_size()] = &finding;
   return errors;
 }

@@ -8,7 +8,6 @@ namespace trajan::accuracy {
 
 namespace {
 
-constexpr double lowest_order = 0.5;
 constexpr double cautious_order = 1;
 constexpr double agreement = 0.1;
 

@@ -32,6 +32,8 @@ struct Estimate {
 
 /// The order of displacements and frequencies in all schemes with lumped masses.
 inline constexpr double expected_order = 2;
+/// What converges with a lower one is too slow for any claim.
+inline constexpr double lowest_order = 0.5;
 
 /// Safety factors of the grid convergence index (Roache 1998). The usual 1.25 in the asymptotic range holds too
 /// few true errors of the gallery (tests/verification/band_table), so it is 2 here. Outside it is 3, and no order
@@ -54,7 +56,7 @@ std::optional<double> observed_order(const Level& coarse, const Level& middle, c
 /// at least three levels, the coarsest first, cell sizes strictly decreasing. Asymptotic is what converges
 /// monotonically with an order within a tenth of the expected one, or, of four levels and more, with orders of the
 /// two finest triples within a tenth of each other. No claim is made of what does not converge, does so slower
-/// than with the order 0.5, does not change, or is not finite.
+/// than with the lowest order, does not change, or is not finite.
 Estimate estimate(std::span<const Level> levels);
 
 }  // namespace trajan::accuracy

@@ -11,7 +11,6 @@ namespace trajan::accuracy {
 
 namespace {
 
-constexpr double lowest_order = 0.5;
 constexpr double small_step = 2.0 / 3;
 constexpr double large_step = 0.5;
 

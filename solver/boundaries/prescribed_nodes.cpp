@@ -10,7 +10,7 @@ namespace trajan {
 namespace {
 
 /// Regions catch nodes to this many cell sizes, as boundaries.proto says.
-constexpr double tolerance = 1e-9;
+constexpr double caught_within = 1e-9;
 
 /// The rate of a displacement is taken over this share of the time between samples: its error is of second
 /// order in that, and rounding adds 1e-10.
@@ -21,7 +21,7 @@ bool contains(const NodeRegion& region, const GridFrame& frame, std::int64_t i, 
     return false;
   if (!region.shape) return true;
   const Vector at = frame.place(i, j, k);
-  const Spans row = spans(*region.shape, at.y, at.z, tolerance * frame.cell);
+  const Spans row = spans(*region.shape, at.y, at.z, caught_within * frame.cell);
   return std::ranges::any_of(row, [&](const Span& span) { return span.from <= at.x && at.x <= span.to; });
 }
 

@@ -7,14 +7,10 @@ namespace trajan {
 namespace {
 
 /// Nodes this close to a surface, in cells, are on it.
-constexpr double tolerance = 1e-9;
+constexpr double on_surface_within = 1e-9;
 
 /// A normal that has lost more than this to components that are prescribed has no direction.
 constexpr double least_normal = 1e-6;
-
-using Components = std::array<double, 3>;
-
-double dot(const Components& a, const Components& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 }  // namespace
 
@@ -74,7 +70,7 @@ double RigidContact::distance(const TileNodes& nodes, int node, Components& norm
   return shape_.distance({at.x, at.y, at.z}, normal);
 }
 
-RigidContact::Components RigidContact::relative_velocity(const TileNodes& nodes, int node) const {
+Components RigidContact::relative_velocity(const TileNodes& nodes, int node) const {
   Components relative{};
   for (int axis = 0; axis < frame_.dimensions; ++axis)
     relative[static_cast<std::size_t>(axis)] =
@@ -89,7 +85,7 @@ void RigidContact::find_allowed(std::size_t tile, const TileNodes& nodes,
   std::uint64_t closing = 0;
   for (int node = 0; node < TileNodes::count; ++node) {
     Components normal;
-    if (!(nodes.mass()[node] > 0) || distance(nodes, node, normal) > tolerance * frame_.cell) continue;
+    if (!(nodes.mass()[node] > 0) || distance(nodes, node, normal) > on_surface_within * frame_.cell) continue;
     closing |= std::uint64_t{dot(relative_velocity(nodes, node), normal) < 0} << node;
   }
   if (closing == 0) return;
@@ -134,7 +130,7 @@ void RigidContact::act(std::size_t tile, const TileNodes& nodes, std::span<React
   for (int node = 0; node < TileNodes::count; ++node) {
     Components normal, change;
     const double mass = nodes.mass()[node];
-    if (!(mass > 0) || distance(nodes, node, normal) > tolerance * frame_.cell) continue;
+    if (!(mass > 0) || distance(nodes, node, normal) > on_surface_within * frame_.cell) continue;
     touches[node] = respond(relative_velocity(nodes, node), normal, allowed[static_cast<std::size_t>(node)],
                             held[node], change);
     for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -160,7 +156,7 @@ void RigidContact::act_on_mapped(std::size_t tile, const TileNodes& nodes) const
   for (int node = 0; node < TileNodes::count; ++node) {
     const std::size_t index = tile * TileNodes::count + static_cast<std::size_t>(node);
     Components normal, relative{};
-    if (distance(nodes, node, normal) > tolerance * frame_.cell) continue;
+    if (distance(nodes, node, normal) > on_surface_within * frame_.cell) continue;
     if (gaps_ && touches_[index] == Touch::none) continue;
     for (std::size_t axis = 0; axis < axes; ++axis) {
       relative[axis] = nodes.mapped_velocity(static_cast<int>(axis))[node] - velocity_[axis];

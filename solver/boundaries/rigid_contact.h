@@ -24,7 +24,6 @@ class RigidContact : public Condition {
   void act_on_mapped(std::size_t tile, const TileNodes& nodes) const override;
 
  private:
-  using Components = RigidShape::Components;
   /// Outward normal, and how far outside a node is; < 0 within.
   double distance(const TileNodes& nodes, int node, Components& normal) const;
   bool may_touch(std::size_t tile) const { return distances_[tile] <= travelled_; }

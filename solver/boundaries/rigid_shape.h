@@ -1,15 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+
+#include "solver/model/components.h"
 
 namespace trajan {
 
 /// Where a rigid plane or ball is now.
 struct RigidShape {
-  using Components = std::array<double, 3>;
-
   Components point{};   ///< of the plane, or the ball's centre
   Components normal{};  ///< of the plane, outwards and of unit length
   bool ball = false;
@@ -22,12 +21,12 @@ struct RigidShape {
     for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = at[axis] - point[axis];
     if (!ball) {
       outwards = normal;
-      return from[0] * normal[0] + from[1] * normal[1] + from[2] * normal[2];
+      return dot(from, normal);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (period[axis] > 0)
         from[axis] = std::remainder(from[axis], period[axis]);  // of all its images the nearest
-    const double length = std::sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
+    const double length = std::sqrt(dot(from, from));
     for (std::size_t axis = 0; axis < 3; ++axis) outwards[axis] = length > 0 ? from[axis] / length : 0;
     return length - radius;
   }

@@ -7,7 +7,7 @@ namespace trajan {
 namespace {
 
 /// Where three and more bodies meet; a hundred rounds leave them thousandths off at worst.
-constexpr int most_rounds = 100;
+constexpr int most_exchanges = 100;
 /// Of the largest impulse: rounding.
 constexpr double least_change = 1e-14;
 /// A normal that has lost more than this to components that are prescribed has no direction.
@@ -42,7 +42,7 @@ bool limit(Components& impulse, const NodeContact& contact, double mass, unsigne
 
 void exchange_impulses(std::span<NodeContact> contacts, std::span<NodeMotion> fields, unsigned held) {
   for (NodeContact& contact : contacts) contact.impulse = {};
-  for (int round = 0; round < (contacts.size() > 1 ? most_rounds : 1); ++round) {
+  for (int round = 0; round < (contacts.size() > 1 ? most_exchanges : 1); ++round) {
     double largest = 0, change = 0;
     for (NodeContact& contact : contacts) {
       NodeMotion &a = fields[contact.first], &b = fields[contact.second];

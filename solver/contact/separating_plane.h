@@ -1,14 +1,10 @@
 #pragma once
 
-#include <array>
 #include <span>
 
+#include "solver/model/components.h"
+
 namespace trajan {
-
-/// Along x, y and z; axes that the grid lacks are 0.
-using Components = std::array<double, 3>;
-
-inline double dot(const Components& a, const Components& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// The unit normal of the plane that separates two clouds of points best, out of the first into the second: ridge
 /// logistic regression of which cloud a point belongs to (Nairn, Hammerquist and Smith 2020; Bishop 2006, section

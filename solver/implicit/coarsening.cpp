@@ -24,7 +24,7 @@ void for_each_parent(const Place& place, Of&& of) {
       }
 }
 
-bool before(const Place& a, const Place& b) {
+bool comes_before(const Place& a, const Place& b) {
   return std::tie(a.node[2], a.node[1], a.node[0], a.component) <
          std::tie(b.node[2], b.node[1], b.node[0], b.component);
 }
@@ -60,18 +60,18 @@ Coarsening coarsen(const Places& fine) {
   for (const Place& place : fine)
     if (std::ranges::none_of(place.node, [](std::int32_t i) { return i & 1; }))
       for_each_parent(place, [&](const Place& parent, double) { coarse.push_back(parent); });
-  std::ranges::sort(coarse, before);
+  std::ranges::sort(coarse, comes_before);
   // Nodes whose own place is not an unknown of the finer grid.
   Places others;
   for (const Place& place : fine)
     for_each_parent(place, [&](const Place& parent, double) {
-      if (!std::ranges::binary_search(coarse, parent, before)) others.push_back(parent);
+      if (!std::ranges::binary_search(coarse, parent, comes_before)) others.push_back(parent);
     });
-  std::ranges::sort(others, before);
+  std::ranges::sort(others, comes_before);
   others.erase(std::unique(others.begin(), others.end()), others.end());
   const auto middle = static_cast<std::ptrdiff_t>(coarse.size());
   coarse.insert(coarse.end(), others.begin(), others.end());
-  std::inplace_merge(coarse.begin(), coarse.begin() + middle, coarse.end(), before);
+  std::inplace_merge(coarse.begin(), coarse.begin() + middle, coarse.end(), comes_before);
 
   Interpolation& interpolation = result.interpolation;
   interpolation.resize(static_cast<Eigen::Index>(fine.size()), static_cast<Eigen::Index>(coarse.size()));
@@ -79,7 +79,7 @@ Coarsening coarsen(const Places& fine) {
   for (std::size_t row = 0; row < fine.size(); ++row) {
     interpolation.startVec(static_cast<Eigen::Index>(row));
     for_each_parent(fine[row], [&](const Place& parent, double weight) {
-      const auto column = std::ranges::lower_bound(coarse, parent, before) - coarse.begin();
+      const auto column = std::ranges::lower_bound(coarse, parent, comes_before) - coarse.begin();
       interpolation.insertBack(static_cast<Eigen::Index>(row), column) = weight;
     });
   }

@@ -8,7 +8,7 @@ namespace trajan {
 namespace {
 
 /// Coefficients that have cancelled but for rounding.
-constexpr double rounding = 1e-12;
+constexpr double cancelled = 1e-12;
 
 }  // namespace
 
@@ -73,11 +73,11 @@ void Constraints::eliminate(const Row& row) {
   const auto pivot = std::max_element(terms.begin(), terms.end(), [](const auto& a, const auto& b) {
     return std::abs(a.second) < std::abs(b.second);
   });
-  if (pivot == terms.end() || std::abs(pivot->second) <= rounding * largest) return;
+  if (pivot == terms.end() || std::abs(pivot->second) <= cancelled * largest) return;
   const std::uint32_t solved = pivot->first;
   Row result{{}, value / pivot->second};
   for (const auto& [unknown, coefficient] : terms)
-    if (unknown != solved && std::abs(coefficient) > rounding * largest)
+    if (unknown != solved && std::abs(coefficient) > cancelled * largest)
       result.terms.emplace_back(unknown, -coefficient / pivot->second);
   for (Row& before : eliminated_) {
     const auto at = std::ranges::find(before.terms, solved, &std::pair<std::uint32_t, double>::first);

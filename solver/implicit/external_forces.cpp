@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "solver/model/components.h"
+
 namespace trajan {
 namespace {
-
-using Components = std::array<double, 3>;
 
 /// Of the run's time, over which loads are straight at its ends.
 constexpr double slope_share = 1e-4;

@@ -13,9 +13,9 @@ constexpr std::array<std::string_view, 3> bar_tensor = {"xx", "yy", "zz"};
 constexpr std::array<std::string_view, 5> plane_gradient = {"xx", "xy", "yx", "yy", "zz"};
 constexpr std::array<std::string_view, 9> solid_gradient = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
 
-using Components = std::span<const std::string_view>;
+using Suffixes = std::span<const std::string_view>;
 
-Components components_of(Dimension dimension, Components bar, Components plane, Components solid) {
+Suffixes components_of(Dimension dimension, Suffixes bar, Suffixes plane, Suffixes solid) {
   switch (dimension) {
     case Dimension::bar:
       return bar;

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/model/components.h"
 #include "solver/model/polygon.h"
 #include "solver/model/selection.h"
 
 namespace trajan {
 namespace {
-
-using Components = std::array<double, 3>;
 
 Vector to_vector(const Components& c) { return {c[0], c[1], c[2]}; }
 Components to_components(const Vector& v) { return {v.x, v.y, v.z}; }

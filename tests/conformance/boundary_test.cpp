@@ -4,19 +4,19 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "solver/schemes/scheme.h"
 #include "solver/simulation/simulation.h"
 #include "tests/conformance/grid_nodes.h"
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 /// What every boundary condition must do in every dimension in which it makes sense: what it prescribes holds,
 /// momentum changes by its reactions alone, and their work is in the energy balance.
-namespace trajan {
+namespace trajan::boundary_test {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 /// The motion of what moves, and its rate.
 constexpr const char* motion = "0.02*t^2";
@@ -354,4 +354,4 @@ TEST_P(Boundaries, AreRefusedWhereTheyCatchNothing) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::boundary_test

@@ -11,7 +11,7 @@
 
 /// Every pair of choices that a scene can make, over one small scene: each either runs with its checks holding
 /// or is refused with a reason.
-namespace trajan {
+namespace trajan::combination_test {
 namespace {
 
 /// One choice: what it is called, and what it does to a scene.
@@ -332,4 +332,4 @@ std::string name_of(const testing::TestParamInfo<Pair>& tested) {
 INSTANTIATE_TEST_SUITE_P(Registry, Combination, testing::ValuesIn(all_pairs()), name_of);
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::combination_test

@@ -2,24 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "solver/materials/eigenvalues.h"
 #include "tests/conformance/material_point.h"
+#include "tests/epsilon.h"
 
 /// What every law must do whose stress follows from an energy of the deformation gradient.
 namespace trajan::test {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double largest_modulus = 4000;
-
-std::vector<LawCase> hyperelastic_laws() {
-  std::vector<LawCase> cases = all_laws();
-  std::erase_if(cases, [](const LawCase& of) { return !traits_of(*of.kind).hyperelastic; });
-  return cases;
-}
 
 class Hyperelastic : public testing::TestWithParam<LawCase> {
  protected:

@@ -6,14 +6,11 @@
 #include <numbers>
 
 #include "tests/conformance/material_point.h"
+#include "tests/epsilon.h"
 
 /// What every constitutive law must do. The laws come from the registry.
 namespace trajan::test {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// What the moduli of all samples are below; rounding errors of stresses are relative to it.
-constexpr double largest_modulus = 4000;
 
 class Law : public testing::TestWithParam<LawCase> {
  protected:

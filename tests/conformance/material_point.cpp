@@ -98,6 +98,12 @@ std::vector<LawCase> all_laws() {
   return cases;
 }
 
+std::vector<LawCase> hyperelastic_laws() {
+  std::vector<LawCase> cases = all_laws();
+  std::erase_if(cases, [](const LawCase& of) { return !traits_of(*of.kind).hyperelastic; });
+  return cases;
+}
+
 std::vector<std::vector<double>> sample_parameters(const MaterialKind& kind) { return sample_of(kind).parameters; }
 
 LawTraits traits_of(const MaterialKind& kind) { return sample_of(kind).traits; }

@@ -31,7 +31,11 @@ std::string name_of(Dimension);
 
 /// All laws that are listed, for all dimensions and configurations that they are made for.
 std::vector<LawCase> all_laws();
+/// Those of them that are hyperelastic.
+std::vector<LawCase> hyperelastic_laws();
 
+/// What the moduli of all samples are below; rounding errors of stresses are relative to it.
+inline constexpr double largest_modulus = 4000;
 /// Sets of parameters to test a law with, in the order of its table. Throws if nobody has chosen any.
 std::vector<std::vector<double>> sample_parameters(const MaterialKind&);
 /// What a law can be expected to do beyond what all laws do.

@@ -3,17 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tests/conformance/material_point.h"
+#include "tests/epsilon.h"
 
 /// What implicit analyses rely on in every law: forces and tangents of finite steps, and the states they end in.
 namespace trajan::test {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// What the moduli of all samples are below; rounding errors of stresses are relative to it.
-constexpr double largest_modulus = 4000;
 /// Of a difference quotient, so small that its square times any third derivative vanishes.
 constexpr double difference = 1e-6;
 /// Some hundred operations round values of that size before they are divided by the difference.
@@ -43,11 +40,6 @@ std::string name_of_case(const testing::TestParamInfo<LawCase>& named) { return 
 INSTANTIATE_TEST_SUITE_P(Registry, LawResponse, testing::ValuesIn(all_laws()), name_of_case);
 
 class HyperelasticResponse : public LawResponse {};
-std::vector<LawCase> hyperelastic_laws() {
-  std::vector<LawCase> cases = all_laws();
-  std::erase_if(cases, [](const LawCase& of) { return !traits_of(*of.kind).hyperelastic; });
-  return cases;
-}
 INSTANTIATE_TEST_SUITE_P(Registry, HyperelasticResponse, testing::ValuesIn(hyperelastic_laws()), name_of_case);
 
 Step moved(Step step, std::size_t component, double by) {

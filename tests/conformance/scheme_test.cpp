@@ -4,18 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "solver/materials/material.h"
 #include "tests/conformance/material_point.h"
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 /// What every scheme must do with every law. Both come from their registries.
 namespace trajan {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 struct SchemeCase {
   std::string scheme, law;

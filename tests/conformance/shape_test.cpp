@@ -10,7 +10,7 @@
 #include "solver/schemes/scheme.h"
 
 /// Every kind of shape functions in every dimension, by what particles gather from and scatter to one tile.
-namespace trajan {
+namespace trajan::shape_test {
 namespace {
 
 constexpr double cell = 0.25;
@@ -258,4 +258,4 @@ INSTANTIATE_TEST_SUITE_P(Registry, Shape,
                          name_of);
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::shape_test

@@ -9,7 +9,7 @@
 
 /// What particles give and get that lie in strips must be what they give and get cell by cell. In floats and in a
 /// plane kernels work on strips.
-namespace trajan {
+namespace trajan::strips_test {
 namespace {
 
 struct Particle {
@@ -185,4 +185,4 @@ TEST_P(Strips, GiveAndGetWhatTheirParticlesDoInDoubles) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::strips_test

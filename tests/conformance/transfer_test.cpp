@@ -4,18 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "solver/schemes/scheme.h"
 #include "solver/schemes/schemes.h"
 #include "solver/simulation/simulation.h"
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 /// What every transfer must do with every kind of shape functions. Both come from their registries.
-namespace trajan {
+namespace trajan::transfer_test {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 struct TransferCase {
   std::string transfer, shape, scheme;
@@ -255,4 +255,4 @@ TEST_P(Transfers, GainNoEnergyInFreeFlight) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::transfer_test

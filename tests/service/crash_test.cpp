@@ -10,8 +10,6 @@
 namespace trajan::test {
 namespace {
 
-const std::vector<std::string> frequent_checkpoints = {"--checkpoint-interval", "0.2", "--lease", "5"};
-
 /// The result file of an undisturbed run of the same scene.
 v1::Job undisturbed(Service& service, const v1::Scene& scene) {
   const v1::Job job = service.wait(service.submit(scene));

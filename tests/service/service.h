@@ -50,6 +50,8 @@ class Process {
   int result_ = 0;
 };
 
+inline const std::vector<std::string> frequent_checkpoints = {"--checkpoint-interval", "0.2", "--lease", "5"};
+
 /// A server on a state directory of its own, and a client of it. Ends all of its workers with it.
 class Service {
  public:

@@ -5,10 +5,8 @@
 
 #include "tests/service/service.h"
 
-namespace trajan::test {
+namespace trajan::test::studies_test {
 namespace {
-
-const std::vector<std::string> frequent_checkpoints = {"--checkpoint-interval", "0.2", "--lease", "5"};
 
 grpc::Status cancel(Service& service, const std::string& job) {
   v1::CancelJobRequest request;
@@ -107,4 +105,4 @@ TEST(StudiesKilled, go_on_where_they_were) {
 }
 
 }  // namespace
-}  // namespace trajan::test
+}  // namespace trajan::test::studies_test

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/model/names.h"
+#include "tests/epsilon.h"
 #include "tests/stability/all_cases.h"
 
 /// Impacts from a millionth of the wave speed to three times it, and a projectile that goes through a plate.
@@ -10,21 +10,21 @@ namespace trajan::stability {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double length = 20, speed = 10;  ///< of a bar, in cells; of its waves
+using test::epsilon;
+constexpr double length = 20, wave_speed = 10;  ///< of a bar, in cells; of its waves
 
 /// A bar runs into an equal one at rest, at `part` of the wave speed.
 Scene bars(const char* law, const char* scheme, double part) {
   Scene scene;
   scene.name = "bars";
   scene.domain = {Dimension::bar, {-20}, {2000}, 1, {}};
-  scene.materials = {test::material(law, speed * speed, 0, 1)};
+  scene.materials = {test::material(law, wave_speed * wave_speed, 0, 1)};
   const double gap = 0.01;
-  scene.bodies = {{"first", "solid", Box{{0}, {length}}, 2, {number_text(part * speed), {}}},
+  scene.bodies = {{"first", "solid", Box{{0}, {length}}, 2, {number_text(part * wave_speed), {}}},
                   {"second", "solid", Box{{length + gap}, {2 * length + gap}}, 2, {}}};
   scene.contacts = {{}};
   // Until waves have run through both bars and back, and the bars are apart again.
-  scene.analysis = {gap / (part * speed) + 3 * length / speed, 0};
+  scene.analysis = {gap / (part * wave_speed) + 3 * length / wave_speed, 0};
   scene.numerics.scheme = scheme;
   scene.numerics.shape_functions = "quadratic_bspline";
   scene.outputs.samples = 200;
@@ -65,7 +65,9 @@ void add_bars(std::vector<Extreme>& extremes) {
         // d'Alembert: equal bars exchange their velocities. The nodes that meet lose a cell's share of it.
         extreme.claim = "error of the velocity that was given on";
         extreme.bound = 1 / length;
-        extreme.figure = [part](const Attempt& run) { return run.last("second.velocity.x") / (part * speed) - 1; };
+        extreme.figure = [part](const Attempt& run) {
+          return run.last("second.velocity.x") / (part * wave_speed) - 1;
+        };
         extremes.push_back(extreme);
       }
 }

@@ -10,14 +10,14 @@ namespace trajan::stability {
 
 namespace {
 
-constexpr double youngs_modulus = 1000, pressure = 1, inner = 1, outer = 2, cell = 0.125;
+constexpr double stiffness = 1000, pressure = 1, inner = 1, outer = 2, cell = 0.125;
 
 /// Without axial strain; small strains, so that the exact solution is one.
 Scene cylinder(double poissons_ratio, const char* shape, const char* remedy, const AnalysisKind& analysis) {
   Scene scene;
   scene.name = "cylinder";
   scene.domain = {Dimension::axisymmetric, {0, 0}, {2.5, 0.25}, cell, {}};
-  scene.materials = {test::material("linear_strain_elastic", youngs_modulus, poissons_ratio, 1)};
+  scene.materials = {test::material("linear_strain_elastic", stiffness, poissons_ratio, 1)};
   scene.bodies = {{"cylinder", "solid", Box{{inner, 0}, {outer, 0.25}}, 2, {}}};
   scene.boundaries = {{"bottom", Box{{0, 0}, {2.5, 0}}, Fixed{{Axis::y}}},
                       {"top", Box{{0, 0.25}, {2.5, 0.25}}, Fixed{{Axis::y}}}};
@@ -38,7 +38,7 @@ Scene cylinder(double poissons_ratio, const char* shape, const char* remedy, con
 /// Of the first particle, a quarter of a cell from the surface.
 double exact(double nu) {
   const double r = inner + cell / 4, a = inner * inner, b = outer * outer;
-  return (1 + nu) / youngs_modulus * pressure * a / (b - a) * ((1 - 2 * nu) * r + b / r);
+  return (1 + nu) / stiffness * pressure * a / (b - a) * ((1 - 2 * nu) * r + b / r);
 }
 
 Extreme at(double nu, const char* shape, const char* remedy, const char* kind, const AnalysisKind& analysis) {

@@ -1,6 +1,6 @@
 #include <cmath>
-#include <limits>
 
+#include "tests/epsilon.h"
 #include "tests/stability/all_cases.h"
 
 /// Bodies thinner than a cell, particles alone, few and many, light beside heavy, and places that rounding
@@ -9,7 +9,7 @@ namespace trajan::stability {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 /// A body that flies through 9 cells in 30 samples.
 Scene flying(const Region& geometry, int per_cell_side) {

@@ -2,13 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 namespace trajan::test {
-
-inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A scene's histories, once it has run to its end.
 struct Histories {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "solver/schemes/scheme.h"
 #include "solver/simulation/simulation.h"
@@ -12,8 +13,9 @@ namespace trajan {
 namespace {
 
 using test::column;
+using test::recorded;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Two elastic blocks in a plane, whose faces are a gap apart along x; the left one moves.
 Scene blocks(const std::string& shapes, double gap, VectorExpression velocity) {
@@ -28,15 +30,6 @@ Scene blocks(const std::string& shapes, double gap, VectorExpression velocity) {
   scene.outputs.snapshots = 10;
   scene.contacts = {{}};
   return scene;
-}
-
-test::Memory recorded(const Model& model, int threads = 1) {
-  test::Memory memory;
-  RunOptions options;
-  options.threads = threads;
-  const RunResult result = run(model, options, memory, nullptr);
-  EXPECT_EQ(result.end, RunEnd::finished) << result.divergence->cause;
-  return memory;
 }
 
 class ContactWithShapes : public testing::TestWithParam<std::string> {};

@@ -10,19 +10,13 @@ namespace trajan {
 namespace {
 
 using test::column;
+using test::recorded;
 
 constexpr double gap = 0.125;  // half a cell
 
 Vector along_axes(Dimension dimension, double x, double y, double z) {
   const int axes = grid_axes(dimension);
   return {x, axes > 1 ? y : 0, axes > 2 ? z : 0};
-}
-
-test::Memory recorded(const Model& model) {
-  test::Memory memory;
-  const RunResult result = run(model, {}, memory, nullptr);
-  EXPECT_EQ(result.end, RunEnd::finished) << result.divergence->cause;
-  return memory;
 }
 
 Scene empty(Dimension dimension) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "solver/contact/body_surface.h"
 #include "tests/unit/simulation/scenes.h"
@@ -11,7 +12,7 @@
 namespace trajan {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// A body alone, in cells of 1.
 Model model_of(const Region& geometry) {

@@ -4,13 +4,16 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 /// Normals of clouds as nodes see them: particles within two cells, two in a cell along each axis.
 namespace trajan {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, half = 0.25;
+using std::numbers::pi;
+
+constexpr double half = 0.25;
 
 using Inside = std::function<bool(double x, double y)>;
 

@@ -4,7 +4,7 @@
 
 #include "tests/unit/implicit/statics.h"
 
-namespace trajan {
+namespace trajan::quasi_static_test {
 namespace {
 
 using namespace test;
@@ -119,4 +119,4 @@ TEST(QuasiStatic, BothConfigurationsAgree) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::quasi_static_test

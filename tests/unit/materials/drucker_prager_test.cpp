@@ -6,7 +6,7 @@
 
 #include "tests/unit/materials/one_point.h"
 
-namespace trajan::test {
+namespace trajan::test::drucker_prager_test {
 namespace {
 
 constexpr double youngs = 50e3, nu = 0.25, cohesion = 20, friction = 30, dilation = 10;
@@ -106,4 +106,4 @@ TEST(DruckerPrager, RefusesParametersThatContradictEachOther) {
 }
 
 }  // namespace
-}  // namespace trajan::test
+}  // namespace trajan::test::drucker_prager_test

@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "solver/materials/power.h"
+#include "tests/epsilon.h"
 
 namespace trajan::test {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 TEST(Exponential, IsThatOfTheLibraryToTwoUnitsInTheLastPlace) {
   for (double x = -707; x < 708; x += 0.0137) EXPECT_NEAR(exponential(x) / std::exp(x), 1, 2 * epsilon) << x;

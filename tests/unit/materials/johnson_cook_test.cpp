@@ -6,7 +6,7 @@
 
 #include "tests/unit/materials/one_point.h"
 
-namespace trajan::test {
+namespace trajan::test::johnson_cook_test {
 namespace {
 
 /// Copper of Johnson and Cook 1983, in N, mm, s and K, tonnes.
@@ -112,4 +112,4 @@ TEST(JohnsonCook, RefusesToMeltBelowItsReferenceTemperature) {
 }
 
 }  // namespace
-}  // namespace trajan::test
+}  // namespace trajan::test::johnson_cook_test

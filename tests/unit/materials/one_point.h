@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "solver/materials/wave_modulus.h"
+#include "tests/epsilon.h"
 
 namespace trajan::test {
-
-inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A point of a rate law that is strained step by step.
 template <class Law, int N>

@@ -3,7 +3,7 @@
 #include "solver/materials/von_mises.h"
 #include "tests/unit/materials/one_point.h"
 
-namespace trajan::test {
+namespace trajan::test::von_mises_test {
 namespace {
 
 constexpr double youngs = 200e3, nu = 0.3, yield = 250, hardening = 2000;
@@ -92,4 +92,4 @@ TEST(VonMises, SpendsAllWorkOnStoredAndDissipatedEnergy) {
 }
 
 }  // namespace
-}  // namespace trajan::test
+}  // namespace trajan::test::von_mises_test

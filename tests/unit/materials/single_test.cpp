@@ -8,11 +8,11 @@
 
 #include "solver/materials/linear_elastic.h"
 #include "solver/materials/neo_hookean.h"
+#include "tests/epsilon.h"
 
 namespace trajan::test {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double single_epsilon = std::numeric_limits<float>::epsilon();
 
 /// No two components alike, and a spin.

@@ -7,7 +7,7 @@
 
 #include "solver/model/triangle_mesh.h"
 
-namespace trajan {
+namespace trajan::mesh_test {
 namespace {
 
 using testing::HasSubstr;
@@ -171,4 +171,4 @@ TEST(TriangleMesh, LooksAtFewTrianglesPerLine) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::mesh_test

@@ -8,7 +8,7 @@
 
 #include "server/errors.h"
 
-namespace trajan {
+namespace trajan::study_plan_test {
 namespace {
 
 using testing::ElementsAre;
@@ -169,4 +169,4 @@ TEST(StudyPlan, TriesMethodsOnThreeGridsIfATradeoffNamesNoDials) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::study_plan_test

@@ -11,7 +11,7 @@
 #include "server/fidelity.h"
 #include "server/scene_digest.h"
 
-namespace trajan {
+namespace trajan::study_target_test {
 namespace {
 
 using testing::ElementsAre;
@@ -191,4 +191,4 @@ TEST(Fidelity, RepeatsARunByTheSettingsThatItTells) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::study_target_test

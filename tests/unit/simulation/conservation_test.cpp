@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 namespace trajan {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 class Conservation : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, Conservation, testing::Values("USL", "MUSL", "TLMPM"),

@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 namespace trajan {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 /// A free block of mass 4 with its centre at (1, 0.5).
 Scene block(const std::string& scheme, const std::string& law) {

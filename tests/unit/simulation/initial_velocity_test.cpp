@@ -1,16 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "solver/simulation/simulation.h"
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 /// What the first step makes of a velocity that is linear in the place, v = L x, without stress.
-namespace trajan {
+namespace trajan::initial_velocity_test {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 constexpr double rate[2][2] = {{0.1, 0.2}, {-0.3, 0.05}};
 constexpr double small = 1e-6, cell = 0.5;
 
@@ -93,4 +93,4 @@ TEST(LinearVelocity, IsApproachedByMoreTermsOfTheFullMassMatrix) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::initial_velocity_test

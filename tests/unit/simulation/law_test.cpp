@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/materials/eigenvalues.h"
 #include "solver/materials/logarithm.h"
 #include "solver/materials/tensor_inverse.h"
 #include "solver/materials/tensor_products.h"
+#include "tests/epsilon.h"
 
 namespace trajan {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 TEST(Logarithm, IsThatOfTheLibraryToAFewUnitsInTheLastPlace) {
   for (double x = 0x1p-40; x < 0x1p40; x *= 1.0173) {

@@ -2,15 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
-namespace trajan {
+namespace trajan::motion_test {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 /// Every scheme with every law.
 class Motion : public testing::TestWithParam<std::tuple<std::string, std::string>> {
@@ -147,4 +147,4 @@ TEST_P(Motion, ConvergesToTheExactAxialMode) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::motion_test

@@ -1,17 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "solver/simulation/simulation.h"
+#include "tests/epsilon.h"
 #include "tests/unit/simulation/scenes.h"
 
 /// XPIC and FMPM against what they approximate.
-namespace trajan {
+namespace trajan::projection_test {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using test::epsilon;
 
 /// A free block of 4 x 1 about the origin, without stress.
 Scene block(const std::string& transfer, int order, double cell) {
@@ -180,4 +180,4 @@ TEST(Projections, LeavePrescribedNodesAlone) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::projection_test

@@ -4,7 +4,7 @@
 #include "solver/transfers/transfer.h"
 #include "tests/unit/simulation/scenes.h"
 
-namespace trajan {
+namespace trajan::reproducibility_test {
 namespace {
 
 /// Everything that adds up in some order: a collision, so that particles change tiles, with loads.
@@ -130,4 +130,4 @@ TEST(Stopping, EndsTheRunWhenItIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace trajan
+}  // namespace trajan::reproducibility_test

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 #include <vector>
 
@@ -26,6 +28,16 @@ class Memory : public Recorder {
   std::vector<Snapshot> snapshots;
   std::vector<Checkpoint> checkpoints;
 };
+
+/// What a scene records that runs to its end.
+inline Memory recorded(const Model& model, int threads = 1) {
+  Memory memory;
+  RunOptions options;
+  options.threads = threads;
+  const RunResult result = run(model, options, memory, nullptr);
+  EXPECT_EQ(result.end, RunEnd::finished) << (result.divergence ? result.divergence->cause : "");
+  return memory;
+}
 
 inline std::size_t column(const Model& model, const std::string& name) {
   const std::vector<std::string> names = history_columns(model);
