@@ -10,29 +10,20 @@
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
-using EightLanes = VectorOf<std::int32_t, 8>::Type;
-using EightFloats = VectorOf<float, 8>::Type;
-
 /// values[from[lane] % 8] in each lane.
 __attribute__((always_inline)) inline EightFloats permuted(EightFloats values, EightLanes from) {
-#ifdef __AVX2__
-  return _mm256_permutevar8x32_ps(values, reinterpret_cast<__m256i>(from));
-#else
+  if constexpr (intrinsics::has_eight_lanes) return intrinsics::permuted(values, from);
   EightFloats result{};
   for (int lane = 0; lane < 8; ++lane) result[lane] = values[from[lane] & 7];
   return result;
-#endif
 }
 /// values[0] .. of the lanes that have all bits; others are zero and not read.
 __attribute__((always_inline)) inline EightFloats load_only(const float* values, EightLanes lanes) {
-#ifdef __AVX2__
-  return _mm256_maskload_ps(values, reinterpret_cast<__m256i>(lanes));
-#else
+  if constexpr (intrinsics::has_eight_lanes) return intrinsics::load_masked(values, lanes);
   EightFloats result{};
   for (int lane = 0; lane < 8; ++lane)
     if (lanes[lane] != 0) result[lane] = values[lane];
   return result;
-#endif
 }
 /// All bits of the lanes whose bit is set.
 __attribute__((always_inline)) inline EightLanes lanes_of(std::int32_t bits) {
@@ -40,13 +31,10 @@ __attribute__((always_inline)) inline EightLanes lanes_of(std::int32_t bits) {
   return (of_lane & bits) != 0;
 }
 __attribute__((always_inline)) inline bool any_bit(EightLanes v) {
-#ifdef __AVX2__
-  return !_mm256_testz_si256(reinterpret_cast<__m256i>(v), reinterpret_cast<__m256i>(v));
-#else
+  if constexpr (intrinsics::has_eight_lanes) return intrinsics::any_bit(v);
   std::int32_t bits = 0;
   for (int lane = 0; lane < 8; ++lane) bits |= v[lane];
   return bits != 0;
-#endif
 }
 __attribute__((always_inline)) inline std::int32_t sum_of_lanes(EightLanes v) {
   v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 4, 5, 6, 7);
@@ -56,13 +44,10 @@ __attribute__((always_inline)) inline std::int32_t sum_of_lanes(EightLanes v) {
 
 /// Eight bytes, the first one lowest. GCC 12 would take each by itself.
 __attribute__((always_inline)) inline EightLanes lanes_of_bytes(std::uint64_t bytes) {
-#ifdef __AVX2__
-  return reinterpret_cast<EightLanes>(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<std::int64_t>(bytes))));
-#else
+  if constexpr (intrinsics::has_eight_lanes) return intrinsics::lanes_of_bytes(bytes);
   EightLanes lanes{};
   for (int lane = 0; lane < 8; ++lane) lanes[lane] = static_cast<std::int32_t>(bytes >> 8 * lane & 0xFF);
   return lanes;
-#endif
 }
 
 /// For each set of lanes how many of them are before each lane.

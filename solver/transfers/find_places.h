@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "solver/transfers/fixed_place.h"
-#include "solver/transfers/intrinsics.h"
 #include "solver/transfers/real.h"
+#include "solver/transfers/registers.h"
 
 /// Where particles are: the first node of each one's stencil, and its place in it.
 namespace trajan {

@@ -1,18 +1,17 @@
 #pragma once
 
-#if defined(__FMA__) || defined(__AVX512VL__)
+#if defined(__FMA__) || defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
+#include <cstddef>
 #include <cstdint>
-#include <type_traits>
-#include <utility>
 
 #include "solver/executors/instruction_set.h"
 
-/// What compilers do not find by themselves: in kernels this file, eight_lanes.h, find_ends.h and masks.h alone
-/// name instructions. Each function says in plain code what it does; where the instruction set has nothing for it,
-/// that is what runs.
+/// What compilers do not find by themselves: in kernels this file alone names instructions. Who calls a function
+/// of `intrinsics` says in plain code what it does; where the instruction set has nothing for it, that is what
+/// runs.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
 
@@ -22,6 +21,8 @@ struct VectorOf {
   // GCC 12 forgets such an attribute of an alias.
   typedef Number Type __attribute__((vector_size(count * sizeof(Number))));  // NOLINT(modernize-use-using)
 };
+using EightLanes = VectorOf<std::int32_t, 8>::Type;
+using EightFloats = VectorOf<float, 8>::Type;
 
 namespace intrinsics {
 #ifdef __FMA__
@@ -49,31 +50,81 @@ __attribute__((always_inline)) inline __m512 fused(__m512 a, __m512 b, __m512 c)
 __attribute__((always_inline)) inline __m512d widened(__m256 a) {
   return _mm512_maskz_cvtps_pd(0xFF, a);  // the form without a mask makes GCC 12 warn of its own header
 }
+__attribute__((always_inline)) inline void load_masked(const double* from, long long mask, __m512d& into) {
+  into = _mm512_maskz_loadu_pd(static_cast<__mmask8>(mask), from);
+}
 #endif
-void fused(), widened();  // so that the names are there
+#ifdef __AVX2__
+inline constexpr bool has_eight_lanes = true;
+__attribute__((always_inline)) inline void load_masked(const double* from, long long mask, __m256d& into) {
+  const auto bit = [mask](int lane) { return -(mask >> lane & 1); };
+  into = _mm256_maskload_pd(from, _mm256_setr_epi64x(bit(0), bit(1), bit(2), bit(3)));
+}
+__attribute__((always_inline)) inline EightFloats load_masked(const float* from, EightLanes lanes) {
+  return _mm256_maskload_ps(from, reinterpret_cast<__m256i>(lanes));
+}
+__attribute__((always_inline)) inline EightFloats permuted(EightFloats values, EightLanes from) {
+  return _mm256_permutevar8x32_ps(values, reinterpret_cast<__m256i>(from));
+}
+__attribute__((always_inline)) inline bool any_bit(EightLanes v) {
+  return !_mm256_testz_si256(reinterpret_cast<__m256i>(v), reinterpret_cast<__m256i>(v));
+}
+__attribute__((always_inline)) inline EightLanes lanes_of_bytes(std::uint64_t bytes) {
+  return reinterpret_cast<EightLanes>(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<std::int64_t>(bytes))));
+}
+#else
+inline constexpr bool has_eight_lanes = false;
+EightFloats load_masked(const float*, EightLanes), permuted(EightFloats, EightLanes);
+bool any_bit(EightLanes);
+EightLanes lanes_of_bytes(std::uint64_t);
+#endif
+
+/// \name As many numbers as a register has room for
+/// Each of `bits` stands for one of them.
+/// @{
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+inline constexpr bool has_places = true;
+using Places = VectorOf<std::int32_t, 16>::Type;
+/// Zero where there is no bit, and what would be there is not read.
+__attribute__((always_inline)) inline Places load_places(const std::int32_t* from, unsigned bits) {
+  return reinterpret_cast<Places>(_mm512_maskz_loadu_epi32(static_cast<__mmask16>(bits), from));
+}
+__attribute__((always_inline)) inline unsigned negative_places(Places of) {
+  return _mm512_movepi32_mask(reinterpret_cast<__m512i>(of));
+}
+/// Puts first + place of all bits one after the other. Others are overwritten up to a register's end.
+__attribute__((always_inline)) inline void store_places(std::int32_t* to, unsigned bits, std::int32_t first) {
+  const Places places = Places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15} + first;
+  _mm512_storeu_si512(
+      to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), reinterpret_cast<__m512i>(places)));
+}
+#else
+using Places = EightLanes;
+#if defined(__AVX2__) && defined(__BMI2__)
+inline constexpr bool has_places = true;
+__attribute__((always_inline)) inline Places load_places(const std::int32_t* from, unsigned bits) {
+  const Places there = (Places{1, 2, 4, 8, 16, 32, 64, 128} & static_cast<std::int32_t>(bits)) != 0;
+  return reinterpret_cast<Places>(_mm256_maskload_epi32(from, reinterpret_cast<__m256i>(there)));
+}
+__attribute__((always_inline)) inline unsigned negative_places(Places of) {
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(of)));
+}
+__attribute__((always_inline)) inline void store_places(std::int32_t* to, unsigned bits, std::int32_t first) {
+  const std::uint64_t bytes = _pdep_u64(bits, 0x0101010101010101U) * 0xFF;
+  const Places places = lanes_of_bytes(_pext_u64(0x0706050403020100U, bytes)) + first;
+  __builtin_memcpy(to, &places, sizeof places);
+}
+#else
+inline constexpr bool has_places = false;
+Places load_places(const std::int32_t*, unsigned);
+unsigned negative_places(Places);
+void store_places(std::int32_t*, unsigned, std::int32_t);
+#endif
+#endif
+/// @}
+
+void fused(), widened(), load_masked();  // so that the names are there
 }  // namespace intrinsics
-
-/// a b + c, rounded once where the instruction set has an instruction for that, which x86-64-v3 has, v4 too, and
-/// v2 has not: of numbers and of vectors. It takes 20 to 30 % off scatters and gathers: in a plane with linear
-/// functions 11.1 -> 8.5 ns per particle and step.
-template <class Vector>
-__attribute__((always_inline)) inline Vector multiply_add(Vector a, Vector b, Vector c) {
-  if constexpr (requires { intrinsics::fused(a, b, c); }) {
-    return intrinsics::fused(a, b, c);
-  } else {
-    return a * b + c;
-  }
-}
-
-/// A vector's numbers as others. Of floats GCC 12 would widen each half of a register by itself: in a plane with
-/// linear functions 0.7 ns more per particle and step.
-template <class To, class Vector>
-__attribute__((always_inline)) inline To converted_vector(Vector value) {
-  if constexpr (requires { To(intrinsics::widened(value)); })
-    return intrinsics::widened(value);
-  else
-    return __builtin_convertvector(value, To);
-}
 
 }  // namespace TRAJAN_INSTRUCTION_SET
 }  // namespace trajan

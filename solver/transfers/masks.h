@@ -1,26 +1,10 @@
 #pragma once
 
-#include "solver/transfers/twice.h"
+#include "solver/transfers/registers.h"
 
 /// Some lanes of vectors.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-namespace intrinsics {
-/// Lanes without a bit are zero, and what would be in them is not read.
-#ifdef __AVX2__
-__attribute__((always_inline)) inline void load_masked(const double* from, long long mask, __m256d& into) {
-  const auto bit = [mask](int lane) { return -(mask >> lane & 1); };
-  into = _mm256_maskload_pd(from, _mm256_setr_epi64x(bit(0), bit(1), bit(2), bit(3)));
-}
-#endif
-#ifdef __AVX512F__
-__attribute__((always_inline)) inline void load_masked(const double* from, long long mask, __m512d& into) {
-  into = _mm512_maskz_loadu_pd(static_cast<__mmask8>(mask), from);
-}
-#endif
-void load_masked();  // so that the name is there
-}  // namespace intrinsics
 
 /// from[first] .. from[end - 1] in the lanes that they have in a vector that begins at `from`, zeros in the
 /// others. One instruction instead of one or two a lane: in space with linear functions and floats what nodes

@@ -5,7 +5,7 @@
 
 #include "solver/executors/block.h"
 #include "solver/executors/instruction_set.h"
-#include "solver/transfers/intrinsics.h"
+#include "solver/transfers/registers.h"
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {

@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "solver/transfers/twice.h"
+#include "solver/transfers/registers.h"
 
 /// Short vectors of numbers.
 namespace trajan {

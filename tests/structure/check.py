@@ -18,6 +18,7 @@ OWNERS = {
     r"^server/": ("server/", "tests/"),
     r"^client/": ("client/", "tests/"),
     r"^solver/": ("solver/", "server/", "tests/"),
+    r"intrin\.h$": ("solver/transfers/intrinsics.h", "solver/executors/thread_pool.cpp", "proto/crc32c.h"),
     r"^muParser": ("solver/model/expression.cpp", "client/exact_histories.cpp"),
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/transfers/eight_lanes.h"
 #include "solver/transfers/find_ends.h"
 #include "solver/transfers/masks.h"
 #include "solver/transfers/vectors.h"

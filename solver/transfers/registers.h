@@ -2,11 +2,35 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "solver/transfers/intrinsics.h"
 
+/// Numbers in one register or in two.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// a b + c, rounded once where the instruction set has an instruction for that, which x86-64-v3 has, v4 too, and
+/// v2 has not: of numbers and of vectors. It takes 20 to 30 % off scatters and gathers: in a plane with linear
+/// functions 11.1 -> 8.5 ns per particle and step.
+template <class Vector>
+__attribute__((always_inline)) inline Vector multiply_add(Vector a, Vector b, Vector c) {
+  if constexpr (requires { intrinsics::fused(a, b, c); }) {
+    return intrinsics::fused(a, b, c);
+  } else {
+    return a * b + c;
+  }
+}
+
+/// A vector's numbers as others. Of floats GCC 12 would widen each half of a register by itself: in a plane with
+/// linear functions 0.7 ns more per particle and step.
+template <class To, class Vector>
+__attribute__((always_inline)) inline To converted_vector(Vector value) {
+  if constexpr (requires { To(intrinsics::widened(value)); })
+    return intrinsics::widened(value);
+  else
+    return __builtin_convertvector(value, To);
+}
 
 /// A vector that is twice as wide as registers. GCC 12 has such ones as well, but puts each through memory, a
 /// quarter of it at a time, and waits for it: without AVX-512 a step by MUSL took 51 instead of 39 ns in a plane
