@@ -11,6 +11,14 @@ namespace trajan {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// A vector's numbers.
+inline std::span<const double> span_of(const Eigen::VectorXd& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
+}
+inline std::span<double> span_of(Eigen::VectorXd& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
+}
+
 /// Sums over particles to nodes: matrices of unknowns() rows and columns, all with the same pattern, and vectors.
 /// Each column is summed by one thread in the order of particles, so that bits do not depend on threads.
 class Assembly {

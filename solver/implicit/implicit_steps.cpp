@@ -121,8 +121,7 @@ void ImplicitSteps::accept() {
   const Eigen::VectorXd& displacement = newton_->displacement();
   end_step(*balance_, displacement);
   move_by(displacement, time_, next_, view_->on, model_, executor_);
-  responses_.commit(view_->on, {displacement.data(), static_cast<std::size_t>(displacement.size())},
-                    balance_->duration());
+  responses_.commit(view_->on, span_of(displacement), balance_->duration());
   time_ = next_;
   ++steps_;
   iterations_ += newton_->iterations();

@@ -1,16 +1,6 @@
 #include "solver/implicit/step_balance.h"
 
 namespace trajan {
-namespace {
-
-std::span<const double> span_of(const Eigen::VectorXd& vector) {
-  return {vector.data(), static_cast<std::size_t>(vector.size())};
-}
-std::span<double> span_of(Eigen::VectorXd& vector) {
-  return {vector.data(), static_cast<std::size_t>(vector.size())};
-}
-
-}  // namespace
 
 StepBalance::StepBalance(const Model& model, Executor& executor, const GridView& view, Responses& responses,
                          double from, double to, double duration)

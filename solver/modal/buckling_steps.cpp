@@ -9,10 +9,6 @@ namespace {
 /// the strain that this is, and rounding is divided by it.
 constexpr double difference_share = 1e-4;
 
-std::span<const double> span_of(const Eigen::VectorXd& vector) {
-  return {vector.data(), static_cast<std::size_t>(vector.size())};
-}
-
 }  // namespace
 
 BucklingSteps::BucklingSteps(const Model& model, Executor& executor, const Checkpoint* resume)
@@ -38,8 +34,7 @@ ModeProblem BucklingSteps::make_problem(const GridView& view) {
   problem.stiffness = gather * stiffness * problem.expand;
 
   Eigen::VectorXd forces = rest;
-  ExternalForces(model_, executor_)
-      .add(view.on, model_.end_time, span_of(rest), {forces.data(), static_cast<std::size_t>(size)});
+  ExternalForces(model_, executor_).add(view.on, model_.end_time, span_of(rest), span_of(forces));
   SparseSolver solver(LinearSolver::automatic);
   solver.factorize(problem.stiffness);
   const Eigen::VectorXd answer =
