@@ -35,13 +35,18 @@ struct PointStencil {
   }
 };
 
+/// Where a node's components begin among those of all nodes.
+std::size_t first_of(std::int32_t node, const Discretization& on) {
+  return static_cast<std::size_t>(node) * static_cast<std::size_t>(on.axes());
+}
+
 /// A material vector after a displacement, and its derivative by that of a node: along the node's own axis.
 Components stretched(const Discretization& on, const PointStencil& stencil, const Components& now,
                      const Components& rest, std::span<const double> displacement) {
   Components out = now;
   for (int n = 0; n < stencil.count; ++n) {
     if (stencil.nodes[n] < 0) continue;
-    const double* u = &displacement[static_cast<std::size_t>(stencil.nodes[n] * on.axes())];
+    const double* u = &displacement[first_of(stencil.nodes[n], on)];
     for (int i = 0; i < on.axes(); ++i)
       for (int j = 0; j < on.axes(); ++j) out[i] += u[i] * stencil.slopes[j][n] * rest[j];
   }
@@ -69,8 +74,7 @@ struct MovingArea {
     if (!by_radius) return;
     scale = riders.place(p)[0];
     for (int n = 0; n < stencil.count; ++n)
-      if (stencil.nodes[n] >= 0)
-        scale += stencil.weights[n] * displacement[static_cast<std::size_t>(stencil.nodes[n] * on.axes())];
+      if (stencil.nodes[n] >= 0) scale += stencil.weights[n] * displacement[first_of(stencil.nodes[n], on)];
   }
   Components value() const { return scaled(product(tangent[0], tangent[1]), scale); }
   /// By the displacement of one of the stencil's nodes along an axis.
@@ -150,7 +154,7 @@ void ExternalForces::add_dead_loads(const Discretization& on, std::size_t load, 
     if (of.follows) force.x -= of.points[p].pressure * riders.area(p).x;
     for (int n = 0; n < stencil.count; ++n)
       for (int axis = 0; axis < on.axes() && stencil.nodes[n] >= 0; ++axis)
-        forces[static_cast<std::size_t>(stencil.nodes[n] * on.axes() + axis)] +=
+        forces[first_of(stencil.nodes[n], on) + static_cast<std::size_t>(axis)] +=
             stencil.weights[n] * factor * component(force, axis);
   }
 }

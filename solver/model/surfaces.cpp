@@ -86,7 +86,7 @@ std::vector<SurfacePoint> edge_points(const Model& model, const Body& body, Edge
       const auto along = [&](std::size_t axis, std::int64_t gauss) {
         const double offset = (gauss % 2 == 0 ? -1 : 1) / std::sqrt(3.0) / 2;
         index[axis] = gauss / 2;
-        if (has(axis)) at[axis] = first[axis] + (static_cast<double>(gauss / 2) + offset) * spacing[axis];
+        if (has(axis)) at[axis] = first[axis] + (static_cast<double>(index[axis]) + offset) * spacing[axis];
       };
       along(one, i);
       along(two, j);
@@ -107,7 +107,7 @@ std::vector<SurfacePoint> edge_points(const Model& model, const Body& body, Edge
 
 std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& body, Edge edge,
                                               SearchBudget& budget) {
-  const Polygon& polygon = std::get<Polygon>(body.lattice.geometry);
+  const auto& polygon = std::get<Polygon>(body.lattice.geometry);
   const Box bounds = bounds_of(polygon);
   const auto normal = static_cast<std::size_t>(normal_axis(edge)), along = 1 - normal;
   const double level = to_components(is_upper(edge) ? bounds.upper : bounds.lower)[normal];
@@ -123,7 +123,8 @@ std::vector<SurfacePoint> polygon_edge_points(const Model& model, const Body& bo
       const double offset = (i % 2 == 0 ? -1 : 1) / std::sqrt(3.0);
       Components at{};
       at[normal] = level;
-      at[along] = from + (static_cast<double>(i / 2 * 2 + 1) + offset) * length;
+      const std::int64_t middle = i / 2 * 2 + 1;
+      at[along] = from + (static_cast<double>(middle) + offset) * length;
       // Their product is the outer normal, as it is on a box.
       const double sense = is_upper(edge) ? 1 : -1;
       std::array<Components, 2> tangents{};

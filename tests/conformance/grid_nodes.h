@@ -23,13 +23,13 @@ class Nodes {
     for (std::size_t t = 0; t < tiles.tiles().size(); ++t)
       for (int node = 0; node < tile_nodes; ++node) {
         const double* values = tiles.nodes(t) + node;
-        if (!(values[quantity_mass * tile_nodes] > 0)) continue;
+        if (!(values[tile_array(quantity_mass)] > 0)) continue;
         Index at{};
         Components velocity{};
         for (int axis = 0; axis < axes_; ++axis) {
           at[axis] = std::int64_t{tiles.tiles()[t].at[axis]} * layout.side +
                      node / layout.tile_stride(axis) % layout.side;
-          velocity[axis] = values[quantity(node_velocity, axis, axes_) * tile_nodes];
+          velocity[axis] = values[tile_array(quantity(node_velocity, axis, axes_))];
         }
         velocities_[at] = velocity;
       }

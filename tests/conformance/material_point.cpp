@@ -179,7 +179,7 @@ MaterialPoint::StepResponse MaterialPoint::respond(const std::vector<double>& st
 
 void MaterialPoint::commit(const std::vector<double>& step) {
   Matrix g{};
-  const std::size_t n = static_cast<std::size_t>(axes());
+  const auto n = static_cast<std::size_t>(axes());
   for (std::size_t c = 0; c < n * n; ++c) g(static_cast<int>(c / n), static_cast<int>(c % n)) = step[c];
   if (of_.dimension == Dimension::axisymmetric) g(2, 2) = step[n * n];
   Block all = block();
@@ -222,8 +222,7 @@ double MaterialPoint::squared_wave_speed() const {
 
 Matrix matrix(const std::array<double, 9>& rows) {
   Matrix m{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m(i, j) = rows[static_cast<std::size_t>(3 * i + j)];
+  for (std::size_t k = 0; k < rows.size(); ++k) m(static_cast<int>(k / 3), static_cast<int>(k % 3)) = rows[k];
   return m;
 }
 

@@ -56,7 +56,7 @@ TEST_P(LawResponse, IsThatOfTheStateThatIsCommitted) {
     const Step nothing(step.size(), 0.0);
     const Step at_rest = after.respond(nothing).force, in_step = before.respond(step).force;
     const Step to_end = GetParam().total_lagrangian ? nothing : step;
-    const std::size_t axes = static_cast<std::size_t>(grid_axes(GetParam().dimension));
+    const auto axes = static_cast<std::size_t>(grid_axes(GetParam().dimension));
     for (std::size_t c = 0; c < step.size(); ++c) {
       double pushed = 0;
       if (c < axes * axes)
@@ -87,7 +87,7 @@ TEST_P(LawResponse, HasTheForceOfTheExplicitKernels) {
     point.commit(step);
     const Step force = point.respond(Step(step.size(), 0.0)).force;
     const Matrix expected = GetParam().total_lagrangian ? point.nominal_stress() : point.virial();
-    const std::size_t axes = static_cast<std::size_t>(grid_axes(GetParam().dimension));
+    const auto axes = static_cast<std::size_t>(grid_axes(GetParam().dimension));
     for (std::size_t c = 0; c < step.size(); ++c) {
       const int i = c < axes * axes ? static_cast<int>(c / axes) : 2,
                 j = c < axes * axes ? static_cast<int>(c % axes) : 2;

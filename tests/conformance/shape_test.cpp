@@ -62,9 +62,9 @@ class TileOfParticles {
     fill(at_faces);
     forget_results();
     scratch.cell[0] = 0;
-    scratch.prepare(static_cast<std::size_t>(quantities(node_vectors, axes) * kernels.layout.window_nodes),
+    scratch.prepare(static_cast<std::size_t>(layout.window_array(quantities(node_vectors, axes))),
                     static_cast<std::size_t>(kernels.stencil_size), 0);
-    sums.assign(static_cast<std::size_t>(quantities(sum_vectors, axes) * layout.window_nodes), 0.0);
+    sums.assign(static_cast<std::size_t>(layout.window_array(quantities(sum_vectors, axes))), 0.0);
     block.count = count;
     block.body = &body;
     block.sweep = &sweep;
@@ -92,13 +92,13 @@ class TileOfParticles {
     Neighbours around{};
     for (int n = 0; n < layout.neighbours; ++n) {
       std::vector<double>& values = nodes[static_cast<std::size_t>(n)];
-      values.resize(static_cast<std::size_t>(quantities(node_vectors, axes) * tile_nodes));
+      values.resize(static_cast<std::size_t>(tile_array(quantities(node_vectors, axes))));
       for (int node = 0; node < tile_nodes; ++node) {
         double at[3] = {};
         for (int axis = 0, rest = n; axis < axes; ++axis, rest /= 3)
           at[axis] = node_x(axis, (rest % 3 - 1) * layout.side + node / layout.tile_stride(axis) % layout.side);
         for (int q = 0; q < quantities(node_vectors, axes); ++q)
-          values[static_cast<std::size_t>(q * tile_nodes + node)] = field(q, at);
+          values[static_cast<std::size_t>(tile_array(q) + node)] = field(q, at);
       }
       around[n] = values.data();
     }
@@ -204,7 +204,7 @@ void scatter_mass_momentum_and_forces(TileOfParticles<Number> tile) {
     for (int axis = 0; axis < axes; ++axis)
       at[axis] = tile.node_x(axis, node / layout.window_stride(axis) % layout.window_side - layout.below);
     const auto sum = [&](int which) {
-      return tile.sums[static_cast<std::size_t>(which * layout.window_nodes + node)];
+      return tile.sums[static_cast<std::size_t>(layout.window_array(which) + node)];
     };
     mass += sum(quantity_mass);
     for (int a = 0; a < axes; ++a) {

@@ -63,8 +63,8 @@ class Exchange {
   Exchange(const std::vector<Particle>& particles, const How& how)
       : how_(how),
         kernels_(*grid_kernels().transfer(how.shape_functions, Dimension::plane_strain, how.margin)),
-        sums_(static_cast<std::size_t>(quantities(sum_vectors, 2) * kernels_.layout.window_nodes)) {
-    scratch_.prepare(static_cast<std::size_t>(quantities(node_vectors, 2) * kernels_.layout.window_nodes), 0, 2);
+        sums_(static_cast<std::size_t>(kernels_.layout.window_array(quantities(sum_vectors, 2)))) {
+    scratch_.prepare(static_cast<std::size_t>(kernels_.layout.window_array(quantities(node_vectors, 2))), 0, 2);
     std::mt19937 random(5);
     std::uniform_real_distribution<float> anywhere(-1, 1);
     for (Number& node : scratch_.window) node = anywhere(random);
@@ -128,7 +128,7 @@ class Exchange {
     return std::is_same_v<Number, float> ? trajan::kernels().floats : trajan::kernels().doubles;
   }
   static std::size_t index(Attribute first, int axis) {
-    return static_cast<std::size_t>(static_cast<int>(first) + axis);
+    return static_cast<std::size_t>(first) + static_cast<std::size_t>(axis);
   }
   void put(float* values, std::size_t at) { block_.floats[at] = values; }
   void put(double* values, std::size_t at) { block_.arrays[at] = values; }

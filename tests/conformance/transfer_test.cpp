@@ -125,7 +125,7 @@ TEST_P(Transfers, KeepMassAndMomentum) {
   double mass = 0;
   const Tiles& tiles = simulation.executor().tiles();
   for (std::size_t tile = 0; tile < tiles.tiles().size(); ++tile)
-    for (int node = 0; node < tile_nodes; ++node) mass += tiles.nodes(tile)[quantity_mass * tile_nodes + node];
+    for (int node = 0; node < tile_nodes; ++node) mass += tiles.nodes(tile)[tile_array(quantity_mass) + node];
   const BodyParticles& p = particles(simulation);
   // Sums of some hundred terms.
   EXPECT_NEAR(mass, p.constants.mass * static_cast<double>(p.size()), 400 * epsilon);

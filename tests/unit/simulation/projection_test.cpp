@@ -173,7 +173,7 @@ TEST(Projections, LeavePrescribedNodesAlone) {
         const double mass = tiles.nodes(tile)[node];
         if (std::abs(x) > 1e-9 || mass == 0) continue;
         ++found;
-        EXPECT_EQ(tiles.nodes(tile)[quantity(taken, 0, 2) * tile_nodes + node], 0) << transfer;
+        EXPECT_EQ(tiles.nodes(tile)[tile_array(quantity(taken, 0, 2)) + node], 0) << transfer;
       }
     EXPECT_EQ(found, 3) << transfer;
   }
