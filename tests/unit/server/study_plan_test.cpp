@@ -33,7 +33,7 @@ void add_dial(v1::SubmitStudyRequest& request, const std::string& path, const st
   for (const std::string& value : values) {
     v1::Setting& setting = *dial.add_settings();
     setting.set_name(value);
-    setting.add_changes(path + "=" + value);
+    setting.add_changes(std::string(path).append("=").append(value));
   }
 }
 
