@@ -74,6 +74,7 @@ __attribute__((always_inline)) inline EightLanes lanes_of_bytes(std::uint64_t by
 }
 #else
 inline constexpr bool has_eight_lanes = false;
+// Named where they are not called.
 EightFloats load_masked(const float*, EightLanes), permuted(EightFloats, EightLanes);
 bool any_bit(EightLanes);
 EightLanes lanes_of_bytes(std::uint64_t);
@@ -110,12 +111,14 @@ __attribute__((always_inline)) inline unsigned negative_places(Places of) {
   return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(of)));
 }
 __attribute__((always_inline)) inline void store_places(std::int32_t* to, unsigned bits, std::int32_t first) {
+  // The places, one a byte.
   const std::uint64_t bytes = _pdep_u64(bits, 0x0101010101010101U) * 0xFF;
   const Places places = lanes_of_bytes(_pext_u64(0x0706050403020100U, bytes)) + first;
   __builtin_memcpy(to, &places, sizeof places);
 }
 #else
 inline constexpr bool has_places = false;
+// Named where they are not called.
 Places load_places(const std::int32_t*, unsigned);
 unsigned negative_places(Places);
 void store_places(std::int32_t*, unsigned, std::int32_t);
