@@ -22,7 +22,7 @@ class ElasticPredictor {
   /// The stress that the step would end with if it were elastic.
   template <int N, class T>
   SplitStress<N, T> predict(const Tensor<N, T>& g, const SymmetricTensor<N, T>& stress) const {
-    return SplitStress<N, T>(jaumann_step(moduli_, mid_step(g), stress));
+    return SplitStress<N, T>(stress + jaumann_change(moduli_, g, stress));
   }
   template <int N, int H>
   double energy_density(const RateState<N, double, H>& state) const {

@@ -18,7 +18,7 @@ class LinearElastic {
 
   template <int N, class T>
   void advance(const Tensor<N, T>& g, double /*dt*/, RateState<N, T>& state) const {
-    state.stress = jaumann_step(lame_, mid_step(g), state.stress);
+    state.stress = state.stress + stress_change(g, state.stress);
   }
 
   /// What `advance` adds to the stress.
@@ -30,7 +30,7 @@ class LinearElastic {
   /// The strain across is minus Poisson's part of that in the plane or along the bar; g (1 + g/2)^-1 is it.
   template <int N, class T>
   void relax(Tensor<N, T>& g, const RateState<N, T>&) const {
-    const SymmetricTensor<N, T> strain = mid_step(g).strain;
+    const SymmetricTensor<N, T> strain = mid_strain(g);
     T dilation = strain.diagonal[0];
     unroll<N - 1>([&](auto k) { dilation = dilation + strain.diagonal[k + 1]; });
     const T across = lame_.thinning(N == 1 ? Dimension::bar : Dimension::plane_stress) * dilation;

@@ -37,7 +37,7 @@ class TaitFluid {
   template <int N, class T>
   void advance(const Tensor<N, T>& g, double dt, RateState<N, T, 1>& state) const {
     const double rate = dt > 0 ? 1 / dt : 0;
-    const SymmetricTensor<N, T> strain_rate = rate * deviator(mid_step(g).strain);
+    const SymmetricTensor<N, T> strain_rate = rate * deviator(mid_strain(g));
     state.stress = (2 * viscosity_) * strain_rate;
     state.history[0] = state.history[0] + dt * state.volume_ratio * double_contraction(state.stress, strain_rate);
   }

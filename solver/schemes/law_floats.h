@@ -98,7 +98,7 @@ struct FloatStages {
   TRAJAN_FLATTEN static void deform(Block& block) {
     LawExchange<float>& scratch = scratch_of(block);
     const Single dt = deformation_time(block);
-    std::int64_t inverted = 0;
+    std::int32_t inverted = 0;
     if constexpr (Law::rate_form) {
       const auto stress = stress_of(block);
       double* volume = block[Attribute::volume];
@@ -109,8 +109,9 @@ struct FloatStages {
         Gradient g = step(scratch, dt, i);
         if constexpr (rest_is_free(D)) law.relax(g, RateState<N, Single>{before, 1.0, {}});
         stress.add(i, law.stress_change(g, before));
-        volume[i] = fused(volume[i], static_cast<double>(dilation(g).value), volume[i]);
-        inverted += !(volume[i] > 0);
+        const float growth = dilation(g).value;
+        volume[i] = fused(volume[i], static_cast<double>(growth), volume[i]);
+        inverted |= growth > -1 ? 0 : -1;
       }
     } else {
       const auto deformation = deformation_of(block);
@@ -118,10 +119,10 @@ struct FloatStages {
       for (int i = 0; i < block.count; ++i) {
         const Gradient g = step(scratch, dt, i);
         deformation.add(i, TotalLagrangian ? g : g + product(g, deformation.at(i)));
-        inverted += !(dilation(deformation.at(i)).value > -1);
+        inverted |= dilation(deformation.at(i)).value > -1 ? 0 : -1;
       }
     }
-    scratch.trouble.inverted += inverted;
+    scratch.trouble.inverted |= inverted;
   }
 };
 

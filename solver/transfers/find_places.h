@@ -1,38 +1,13 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <type_traits>
 
-#include "solver/transfers/fixed_place.h"
-#include "solver/transfers/real.h"
-#include "solver/transfers/registers.h"
+#include "solver/transfers/find_fixed_places.h"
 
 /// Where particles are: the first node of each one's stencil, and its place in it.
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
-
-/// Along one axis: what is needed to find places.
-struct AxisPlaces {
-  const double* x;
-  Real* place;
-  double origin, first;    ///< of what counts places in cells
-  double lowest, highest;  ///< where the first and the last cell begin in which particles may be
-  double period, divisor;
-};
-
-template <Layout L>
-__attribute__((always_inline)) inline AxisPlaces axis_places(const Block& block, int axis) {
-  const double to_nodes = L.below - 1, period = block.sweep->period[axis];
-  return {.x = block.component(Attribute::position_x, axis),
-          .place = scratch_of(block).place[axis].data(),
-          .origin = block.sweep->origin[axis],
-          .first = block.window_first[axis] - to_nodes,
-          .lowest = block.lowest[axis] + to_nodes + begin_of_cells(L.reach),
-          .highest = block.highest[axis] + to_nodes + begin_of_cells(L.reach),
-          .period = period,
-          .divisor = period > 0 ? period : 1};
-}
 
 /// Places in doubles, whether or not axes are periodic. Returns whether one is out of where its tile allows.
 template <class Shape, Layout L>
@@ -74,47 +49,6 @@ inline bool find_places_in_doubles(Block& block) {
     });
   else
     find_each([](double at, const AxisPlaces&) { return at; });
-  return out != 0;
-}
-
-/// The same in fixed point, where no axis is periodic. What is not even a number becomes the least integer, which
-/// is out of where any tile allows.
-template <class Shape, Layout L>
-__attribute__((no_sanitize("float-cast-overflow"))) inline bool find_places_in_fixed_point(Block& block) {
-  // With so many bits whatever is in a window has one bit to spare.
-  using Fixed = FixedPlace<31 - std::bit_width(static_cast<unsigned>(L.side) + 4)>;
-  RealScratch& s = scratch_of(block);
-  const int count = block.count;
-  struct Axis {
-    AxisPlaces in;
-    double scale, offset;
-    std::int32_t lowest, highest;
-  };
-  Axis axes[L.dimensions];
-  for (int a = 0; a < L.dimensions; ++a) {
-    const AxisPlaces in = axis_places<L>(block, a);
-    const double scale = block.sweep->inverse_cell * Fixed::units_of_cell;
-    axes[a] = {in, scale, -in.origin * scale - in.first * Fixed::units_of_cell, Fixed::of_cells(in.lowest).units,
-               Fixed::of_cells(in.highest + 1).units - 1};
-  }
-  std::uint32_t out = 0;
-#pragma GCC ivdep
-  for (int i = 0; i < count; ++i) {
-    std::int32_t cell = 0;
-#pragma GCC unroll 3
-    for (int a = 0; a < L.dimensions; ++a) {
-      const Axis& axis = axes[a];
-      const auto at = static_cast<std::int32_t>(multiply_add(axis.in.x[i], axis.scale, axis.offset));
-      const std::int32_t not_below = at > axis.lowest ? at : axis.lowest;
-      const Fixed inside{not_below < axis.highest ? not_below : axis.highest};
-      // Rounding may put a place on the face to the next cell that sorting has found to be just before it.
-      out |= (static_cast<std::uint32_t>(at) - static_cast<std::uint32_t>(inside.units) + 1) & ~3U;
-      const Fixed base = Shape::first_node(inside);
-      axis.in.place[i] = (inside - base).cells();
-      cell += base.cell() * L.window_stride(a);
-    }
-    s.cell[i] = cell;
-  }
   return out != 0;
 }
 

@@ -17,18 +17,19 @@ __attribute__((always_inline)) inline std::int32_t first_lane(std::int32_t cell)
 
 /// Lists strips if all are full, as they are inside bodies that have not been deformed much, and returns whether
 /// they are.
-template <int Nodes, Layout L>
 inline bool list_full_strips(RealScratch& s, int particles) {
   constexpr EightLanes lane{0, 1, 2, 3, 4, 5, 6, 7};
   if (particles % cells_of_strip != 0) return false;
   const int count = particles / cells_of_strip;
+  // Nodes beyond a row's last cell begin no stencil: what follows each other without a gap is in one row.
+  EightLanes elsewhere{};
   for (int i = 0; i < count; ++i) {
     const std::int32_t *cell = s.cell + cells_of_strip * i, first = *cell;
-    const EightLanes others = load<EightLanes>(cell) ^ (lane + first);
-    if (any_bit(others) || first_lane<Nodes, L>(first) != first) return false;
+    elsewhere |= load<EightLanes>(cell) ^ (lane + first);
     s.full_strips.begin[i] = cells_of_strip * i;
     s.full_strips.cell[i] = first;
   }
+  if (any_bit(elsewhere)) return false;
   s.full_strips.size = count;
   s.sparse_strips.size = 0;
   return true;
@@ -71,7 +72,7 @@ template <int Nodes, Layout L>
 inline void find_strips(Block& block) {
   RealScratch& s = scratch_of(block);
   s.runs = 0;
-  s.by_strips = list_full_strips<Nodes, L>(s, block.count);
+  s.by_strips = list_full_strips(s, block.count);
   if (s.by_strips) return;
   std::int32_t rises[block_size + 16];
   const int count = 1 + find_ends<RiseEnds<L.window_side>>(s.cell, block.count, rises + 1);

@@ -20,10 +20,13 @@ struct FixedPlace {
     return {static_cast<std::int32_t>(cells * units_of_cell + (cells < 0 ? -0.5 : 0.5))};
   }
 
-  friend constexpr FixedPlace operator-(FixedPlace a, FixedPlace b) { return {a.units - b.units}; }
+  /// Far outside of windows they may wrap around.
+  friend constexpr FixedPlace operator-(FixedPlace a, FixedPlace b) {
+    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(a.units) - static_cast<std::uint32_t>(b.units))};
+  }
   /// \name What shape functions do with places, to find a first node
   /// @{
-  friend constexpr FixedPlace whole_part(FixedPlace a) { return {a.units >> bits << bits}; }
+  friend constexpr FixedPlace whole_part(FixedPlace a) { return {a.units & -(std::int32_t{1} << bits)}; }
   friend constexpr FixedPlace operator-(FixedPlace a, double cells) { return a - of_cells(cells); }
   friend constexpr FixedPlace half(FixedPlace a) { return {a.units >> 1}; }
   friend constexpr FixedPlace twice(FixedPlace a) { return {a.units << 1}; }

@@ -59,12 +59,12 @@ struct Twice {
   Half lower, upper;
 };
 
-/// So many numbers, in one register or in two.
-#ifdef __AVX512F__
-inline constexpr std::size_t register_bytes = 64;
+#ifdef __AVX512VL__
+inline constexpr std::size_t register_bytes = 64, register_count = 32;
 #else
-inline constexpr std::size_t register_bytes = 32;
+inline constexpr std::size_t register_bytes = 32, register_count = 16;
 #endif
+/// So many numbers, in one register or in two.
 template <class Number, std::size_t count>
 using Numbers =
     std::conditional_t<count * sizeof(Number) <= register_bytes, typename VectorOf<Number, count>::Type,

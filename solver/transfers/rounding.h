@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "solver/executors/block.h"
@@ -9,6 +11,14 @@
 
 namespace trajan {
 inline namespace TRAJAN_INSTRUCTION_SET {
+
+/// Multiples of the fractional part of an irrational number, in 2^-32, by the place in a block: to read one takes
+/// an instruction where to find it takes four.
+inline constexpr auto shares_of_places = [] {
+  std::array<std::uint32_t, block_size + block_padding> shares{};
+  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = 0x91E10DA5U * static_cast<std::uint32_t>(i);
+  return shares;
+}();
 
 /// Rounds doubles to what particles carry. To floats up or down, up as often as it is near: what grows by less
 /// than half of its last bit in every step grows nevertheless, and steps that round are right in the mean, where
@@ -50,7 +60,7 @@ class RoundingTo {
  private:
   /// Of the unit interval, in 2^-32.
   __attribute__((always_inline)) std::uint32_t share(int i) const {
-    return first_ + 0x91E10DA5U * static_cast<std::uint32_t>(i);
+    return first_ + shares_of_places[static_cast<std::size_t>(i)];
   }
 
   std::uint32_t first_;

@@ -36,16 +36,26 @@ class StripScatter {
     return GivenForce<Nodes, L>{to, s_, across_x, across_y};
   }
 
-  /// Of two nodes along an axis the sums of all find room in registers.
+  /// As many quantities at once as there are registers for their sums: of mass, momentum and force all five with
+  /// 32, and with 16 the first three, which takes 6 % off a step with linear functions.
   template <class... Given>
   __attribute__((always_inline)) void give(const Given&... given) const {
-    if constexpr (Nodes == 2)
+    constexpr std::size_t together = Nodes == 2 ? register_count / 4 - 1 : 1;
+    if constexpr (together == 1)
+      (give_at_once(given), ...);
+    else if constexpr (sizeof...(given) <= together)
       give_at_once(given...);
     else
-      (give_at_once(given), ...);
+      give_three(given...);
   }
 
  private:
+  template <class First, class Second, class Third, class... Others>
+  __attribute__((always_inline)) void give_three(const First& first, const Second& second, const Third& third,
+                                                 const Others&... others) const {
+    give_at_once(first, second, third);
+    give(others...);
+  }
   struct Mass {
     template <class OneStrip>
     __attribute__((always_inline)) Cells operator()(const OneStrip& strip) const {

@@ -81,7 +81,7 @@ TEST(VonMises, SpendsAllWorkOnStoredAndDissipatedEnergy) {
       const SymmetricTensor<3> before = before_volume * point.stress();
       point.step(g);
       const SymmetricTensor<3> after = point.state().volume_ratio * point.stress();
-      work += 0.5 * double_contraction(before + after, mid_step(g).strain);
+      work += 0.5 * double_contraction(before + after, mid_strain(g));
     }
     return std::abs(work - point.stored() - point.dissipated()) / work;
   };
