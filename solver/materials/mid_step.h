@@ -46,18 +46,25 @@ SymmetricTensor<N, T> change_by_rotation(const Tensor<N, T>& m, const SymmetricT
     change(0, 1) = twice * fused(-cosine, difference, -(sine * s(0, 1)));
   }
   if constexpr (N == 3) {
-    Tensor<3, T> a{};
-    T sum = T(1.0);
-    for_pairs<3>([&](auto i, auto j) {
-      a(i, j) = 0.25 * (m(i, j) - m(j, i));
-      a(j, i) = -a(i, j);
-      sum = fused(a(i, j), a(i, j), sum);
+    const T a[] = {0.25 * (m(2, 1) - m(1, 2)), 0.25 * (m(0, 2) - m(2, 0)), 0.25 * (m(1, 0) - m(0, 1))};
+    const T twice = 2.0 / fused(a[0], a[0], fused(a[1], a[1], fused(a[2], a[2], T(1.0))));
+    const T b[] = {twice * a[0], twice * a[1], twice * a[2]};
+    // W = R - 1 by A^2 = a a^T - a.a, then W s + (W s)^T + W s W^T.
+    Tensor<3, T> w{};
+    unroll<3>([&](auto i) {
+      constexpr int j = (i + 1) % 3, k = (i + 2) % 3;
+      w(i, i) = -fused(b[j], a[j], b[k] * a[k]);
+      w(i, j) = fused(b[i], a[j], -b[k]);
+      w(j, i) = fused(b[i], a[j], b[k]);
     });
-    // With W = R - 1: W s + (W s)^T + W s W^T.
-    const Tensor<3, T> w = (2.0 / sum) * (a + product(a, a)), ws = product(w, s);
-    change = fused(2.0, symmetric_part(ws),
-                   contract<SymmetricTensor<3, T>>([&](int i, int k) { return ws(i, k); },
-                                                   [&](int k, int j) { return w(j, k); }));
+    const Tensor<3, T> ws = product(w, s);
+    unroll<3>([&](auto i) {
+      unroll<3>([&](auto j) {
+        if constexpr (i <= j)
+          change(i, j) =
+              fused(ws(i, 0), w(j, 0), fused(ws(i, 1), w(j, 1), fused(ws(i, 2), w(j, 2), ws(i, j) + ws(j, i))));
+      });
+    });
   }
   return change;
 }
