@@ -96,6 +96,18 @@ class Exchange {
       for (std::size_t i = 0; i < particles.size(); ++i) force[f][static_cast<int>(i)] = particles[i].force[f];
   }
 
+  /// Whether particles are found to be out of where the tile allows. They are worked on in its window.
+  bool locates_out_of_window() {
+    kernels_.locate(block_);
+    const Layout& layout = kernels_.layout;
+    for (int i = 0; i < block_.count; ++i) {
+      EXPECT_THAT(scratch_.cell[i], testing::AllOf(testing::Ge(0), testing::Lt(layout.window_nodes)));
+      for (int a = 0; a < 2; ++a)
+        EXPECT_THAT(scratch_.place[a][i], testing::AllOf(testing::Ge(Number(0)), testing::Le(Number(2))));
+    }
+    return scratch_.trouble.left_window;
+  }
+
   Exchanged all() {
     kernels_.locate(block_);
     EXPECT_FALSE(scratch_.trouble.left_window);
@@ -182,6 +194,30 @@ TEST_P(Strips, GiveAndGetWhatTheirParticlesDoInDoubles) {
     expect_same(strips.gradient[g], exact.gradient[g]);
     expect_same(strips.affine[g], exact.affine[g]);
   }
+}
+
+template <class Number>
+void expect_found_out(const How& how) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<Particle> inside = random_particles(0.3);
+  EXPECT_FALSE((Exchange<Number>(inside, how).locates_out_of_window()));
+  // The window's own cells are those from 1 to 8.
+  for (double wild : {0.999, 9.001, -3.0, 40.0, -1e9, 1e9, -1e300, 1e300, -infinity, infinity,
+                      std::numeric_limits<double>::quiet_NaN()})
+    for (int axis : {0, 1}) {
+      std::vector<Particle> particles = inside;
+      particles[particles.size() / 2].at[axis] = wild;
+      EXPECT_TRUE((Exchange<Number>(particles, how).locates_out_of_window())) << wild << " along " << axis;
+    }
+}
+
+TEST(Places, OutOfAWindowAreFoundOutHoweverFarTheyAre) {
+  for (const char* functions : {"linear", "quadratic_bspline", "cubic_bspline"})
+    for (Margin margin : {Margin::none, Margin::one_cell}) {
+      SCOPED_TRACE(functions);
+      expect_found_out<float>({functions, margin, true});
+      expect_found_out<double>({functions, margin, true});
+    }
 }
 
 }  // namespace
