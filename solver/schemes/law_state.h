@@ -20,10 +20,13 @@ constexpr Attribute deformation_attribute(int i, int j) { return after(Attribute
 /// The time that a deformation takes.
 inline double deformation_time(const Block& b) { return b.scratch->deform_share * b.sweep->drift; }
 
+/// Components of a tensor's diagonal that are stored: all, or those of the grid's axes.
+constexpr int stored_diagonal(int grid_axes, bool rest_is_stored) { return rest_is_stored ? 3 : grid_axes; }
+
 /// Deformation gradient. The rest is 1 unless it is stored.
 template <int N, bool RestIsStored>
 struct DeformationArrays {
-  static constexpr int diagonal_count = RestIsStored ? 3 : N;
+  static constexpr int diagonal_count = stored_diagonal(N, RestIsStored);
   double* diagonal[3];
   double* off[Tensor<N>::off_count + 1];
 
@@ -50,7 +53,7 @@ struct DeformationArrays {
 /// Cauchy stress. The rest is 0 unless it is stored.
 template <int N, bool RestIsStored>
 struct StressArrays {
-  static constexpr int diagonal_count = RestIsStored ? 3 : N;
+  static constexpr int diagonal_count = stored_diagonal(N, RestIsStored);
   double* diagonal[3];
   double* off[SymmetricTensor<N>::off_count + 1];
 
