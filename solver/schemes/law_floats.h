@@ -122,7 +122,7 @@ struct FloatStages {
         inverted |= dilation(deformation.at(i)).value > -1 ? 0 : -1;
       }
     }
-    scratch.trouble.inverted |= inverted;
+    scratch.trouble.inverted += inverted != 0;
   }
 };
 

@@ -62,8 +62,8 @@ inline void own_velocity(Block& block) {
 }
 
 /// Advances a vector of positions or displacements by the grid's velocity. `origin` is what it counts from,
-/// nullptr: positions themselves. Particles that go too far are noted, not counted, and known by their velocity:
-/// in floats eight comparisons at once.
+/// nullptr: positions themselves. That there are particles that go too far is counted once for all of them;
+/// they are known by their velocity: in floats eight comparisons at once.
 inline void advance_along(Block& block, int axis, double* x, const double* origin) {
   using Flags = std::conditional_t<std::is_same_v<Real, double>, std::int64_t, std::int32_t>;
   RealScratch& s = scratch_of(block);
@@ -87,8 +87,8 @@ inline void advance_along(Block& block, int axis, double* x, const double* origi
     advance([=](int i) { return origin[i] + x[i]; });
   else
     advance([=](int i) { return x[i]; });
-  s.trouble.moved_too_far |= far;
-  s.trouble.left_domain |= left;
+  s.trouble.moved_too_far += far != 0;
+  s.trouble.left_domain += left != 0;
 }
 
 /// x += dt u.
