@@ -24,8 +24,8 @@ struct alignas(64) BlockArray {
 };
 using BlockDoubles = BlockArray<double>;
 
-/// What a thread has counted among the particles of its blocks: what went wrong with them, and how often one's
-/// nodes differ from those of the one before it.
+/// What a thread has counted among the particles of its blocks: what went wrong with them, at least once for each
+/// block, and how often one's nodes differ from those of the one before it.
 struct Trouble {
   std::int64_t runs = 0;
   bool left_window = false;  ///< one has: not an error, particles must be sorted into tiles again

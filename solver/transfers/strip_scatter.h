@@ -37,7 +37,7 @@ class StripScatter {
   }
 
   /// As many quantities at once as there are registers for their sums: of mass, momentum and force all five with
-  /// 32, and with 16 the first three, which takes 6 % off a step with linear functions.
+  /// 32, and with 16 the first three, which there takes 6 % off a step by MUSL with linear functions.
   template <class... Given>
   __attribute__((always_inline)) void give(const Given&... given) const {
     constexpr std::size_t together = Nodes == 2 ? register_count / 4 - 1 : 1;
